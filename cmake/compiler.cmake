@@ -1,0 +1,23 @@
+# Flags that every target of ours shares.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+add_library(temblor_flags INTERFACE)
+target_include_directories(temblor_flags INTERFACE "${CMAKE_SOURCE_DIR}/src")
+# A frame must be the same on every machine: no fused multiply-add behind our back.
+target_compile_options(temblor_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion)
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  target_compile_options(temblor_flags INTERFACE -Wno-sign-conversion)
+endif()
+if(TEMBLOR_WARNINGS_ARE_ERRORS)
+  target_compile_options(temblor_flags INTERFACE -Werror)
+endif()
+if(TEMBLOR_SANITIZE)
+  target_compile_options(temblor_flags INTERFACE -fsanitize=${TEMBLOR_SANITIZE} -fno-omit-frame-pointer
+                                                 -fno-sanitize-recover=all)
+  target_link_options(temblor_flags INTERFACE -fsanitize=${TEMBLOR_SANITIZE})
+endif()

@@ -1,0 +1,22 @@
+# What we do not write ourselves (the table in docs/architecture.md); all Debian 12 packages.
+find_package(Threads REQUIRED)
+find_package(PkgConfig REQUIRED)
+find_package(fmt REQUIRED)
+find_package(glm REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(libzip REQUIRED)
+pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
+
+set(TEMBLOR_TBB_TARGET "")
+if(TEMBLOR_ONETBB)
+  find_package(TBB REQUIRED)
+  set(TEMBLOR_TBB_TARGET TBB::tbb)
+endif()
+
+set(TEMBLOR_HIGHWAY_TARGET "")
+if(NOT TEMBLOR_SCALAR_ONLY)
+  pkg_check_modules(highway REQUIRED IMPORTED_TARGET libhwy)
+  set(TEMBLOR_HIGHWAY_TARGET PkgConfig::highway)
+endif()

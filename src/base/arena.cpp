@@ -1,0 +1,52 @@
+#include "base/arena.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace temblor::base {
+
+namespace {
+
+constexpr std::size_t kAlignment = 64;
+constexpr std::size_t kFirstBlockBytes = 64 * 1024;
+
+std::size_t round_up(std::size_t bytes) {
+  return (bytes + kAlignment - 1) / kAlignment * kAlignment;
+}
+
+}  // namespace
+
+void Arena::add_block(std::size_t bytes) {
+  Block block;
+  block.size = bytes;
+  block.memory.reset(new std::byte[bytes + kAlignment]);
+  const auto address = reinterpret_cast<std::uintptr_t>(block.memory.get());
+  block.begin = block.memory.get() + (round_up(address) - address);
+  blocks_.push_back(std::move(block));
+}
+
+std::byte* Arena::allocate_bytes(std::size_t bytes) {
+  bytes = round_up(bytes);
+  if (blocks_.empty() || used_ + bytes > blocks_.back().size) {
+    const std::size_t last = blocks_.empty() ? kFirstBlockBytes : blocks_.back().size;
+    used_before_ += used_;
+    used_ = 0;
+    add_block(std::max(bytes, last * 2));
+  }
+  std::byte* begin = blocks_.back().begin + used_;
+  used_ += bytes;
+  return begin;
+}
+
+void Arena::reset() {
+  if (blocks_.size() > 1) {
+    std::size_t total = 0;
+    for (const Block& block : blocks_) total += block.size;
+    blocks_.clear();
+    add_block(total);
+  }
+  used_ = 0;
+  used_before_ = 0;
+}
+
+}  // namespace temblor::base

@@ -1,0 +1,124 @@
+// Bounded reading and writing of little-endian bytes. All parsing goes through ByteReader: it never reads
+// outside its span; a read past the end gives zero and makes the reader !ok() for good, so a parser may check
+// once per record.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace temblor::base {
+
+static_assert(std::endian::native == std::endian::little, "readers and writers copy bytes as they lie");
+
+using Bytes = std::span<const std::byte>;
+using ByteVector = std::vector<std::byte>;
+
+inline Bytes as_bytes(std::string_view text) {
+  return std::as_bytes(std::span(text));
+}
+inline std::string_view as_text(Bytes bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+// The same bytes as unsigned numbers (texels, light samples).
+inline std::span<const std::uint8_t> as_u8(Bytes bytes) {
+  return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+}
+
+class ByteReader {
+ public:
+  explicit ByteReader(Bytes bytes) : bytes_(bytes) {}
+
+  bool ok() const { return ok_; }
+  std::size_t offset() const { return offset_; }
+  std::size_t remaining() const { return bytes_.size() - offset_; }
+
+  // T: an arithmetic type of the file's own width.
+  template <typename T>
+  T read() {
+    static_assert(std::is_arithmetic_v<T>);
+    T value{};
+    if (Bytes bytes = take(sizeof(T)); !bytes.empty()) std::memcpy(&value, bytes.data(), sizeof(T));
+    return value;
+  }
+  std::uint8_t u8() { return read<std::uint8_t>(); }
+  std::int16_t i16() { return read<std::int16_t>(); }
+  std::uint16_t u16() { return read<std::uint16_t>(); }
+  std::int32_t i32() { return read<std::int32_t>(); }
+  std::uint32_t u32() { return read<std::uint32_t>(); }
+  float f32() { return read<float>(); }
+
+  // The next `count` bytes; empty and !ok() when there are fewer.
+  Bytes take(std::size_t count) {
+    if (count > remaining()) {
+      ok_ = false;
+      offset_ = bytes_.size();
+      return {};
+    }
+    Bytes bytes = bytes_.subspan(offset_, count);
+    offset_ += count;
+    return bytes;
+  }
+  // A name in a field of fixed width: up to the first zero.
+  std::string fixed_text(std::size_t width) {
+    std::string_view text = as_text(take(width));
+    return std::string(text.substr(0, text.find('\0')));
+  }
+  // Moves to an absolute offset; !ok() past the end.
+  void seek(std::size_t offset) {
+    ok_ = ok_ && offset <= bytes_.size();
+    offset_ = ok_ ? offset : bytes_.size();
+  }
+
+ private:
+  Bytes bytes_;
+  std::size_t offset_ = 0;
+  bool ok_ = true;
+};
+
+class ByteWriter {
+ public:
+  template <typename T>
+  void write(T value) {
+    static_assert(std::is_arithmetic_v<T>);
+    const auto* bytes = reinterpret_cast<const std::byte*>(&value);
+    bytes_.insert(bytes_.end(), bytes, bytes + sizeof(T));
+  }
+  void u8(std::uint8_t value) { write(value); }
+  void i16(std::int16_t value) { write(value); }
+  void u16(std::uint16_t value) { write(value); }
+  void i32(std::int32_t value) { write(value); }
+  void u32(std::uint32_t value) { write(value); }
+  void f32(float value) { write(value); }
+  void bytes(Bytes bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
+  // Cut or padded with zeros to `width`.
+  void fixed_text(std::string_view text, std::size_t width) {
+    text = text.substr(0, width);
+    bytes(as_bytes(text));
+    bytes_.resize(bytes_.size() + width - text.size());
+  }
+  void align(std::size_t alignment) {
+    bytes_.resize((bytes_.size() + alignment - 1) / alignment * alignment);
+  }
+  // Overwrites a number written earlier.
+  template <typename T>
+  void patch(std::size_t offset, T value) {
+    static_assert(std::is_arithmetic_v<T>);
+    std::memcpy(bytes_.data() + offset, &value, sizeof(T));
+  }
+
+  std::size_t size() const { return bytes_.size(); }
+  ByteVector take() && { return std::move(bytes_); }
+  const ByteVector& view() const { return bytes_; }
+
+ private:
+  ByteVector bytes_;
+};
+
+}  // namespace temblor::base

@@ -1,0 +1,30 @@
+// The entity text of a level: { "key" "value" ... } blocks.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "math/vec.h"
+
+namespace temblor::formats {
+
+struct Entity {
+  std::vector<std::pair<std::string, std::string>> pairs;  // in file order
+
+  // The value of the first pair of that key, or nothing.
+  std::optional<std::string_view> find(std::string_view key) const;
+  std::string_view classname() const { return find("classname").value_or(""); }
+  // "x y z"; nothing when missing or not three numbers.
+  std::optional<math::Vec3> find_vec3(std::string_view key) const;
+  std::optional<float> find_number(std::string_view key) const;
+};
+
+// Errors name the line.
+base::Result<std::vector<Entity>> read_entities(std::string_view text);
+std::string write_entities(const std::vector<Entity>& entities);
+
+}  // namespace temblor::formats

@@ -1,0 +1,20 @@
+// .lit files: coloured light samples for a level, three bytes for each grey one.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/bytes.h"
+#include "base/result.h"
+
+namespace temblor::formats {
+
+// `samples`: red, green, blue for each grey sample of the level, in the level's order. Size 3 x grey_samples.
+struct Lit {
+  std::vector<std::uint8_t> samples;
+};
+
+base::Result<Lit> read_lit(base::Bytes bytes);
+base::ByteVector write_lit(const Lit& lit);
+
+}  // namespace temblor::formats

@@ -1,0 +1,73 @@
+// The world renderer: sorted edges, cached surfaces, perspective spans. One call draws one frame.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "base/parallel_for.h"
+#include "formats/palette.h"
+#include "render/frame.h"
+#include "render/scene.h"
+
+namespace temblor::render {
+
+enum class MipRule { kStock, kFootprint };
+enum class Perspective { kExact, kEvery16 };
+enum class Show { kPicture, kFaces, kEdges, kSpans, kSurfaces, kMips, kPvs, kOverdraw, kDepth };
+
+struct Settings {
+  int threads = 1;
+  base::JobBackend job_backend = base::JobBackend::kOneTbb;
+  MipRule mip_rule = MipRule::kFootprint;
+  int force_mip = -1;  // 0..3: every surface at that level
+  Perspective perspective = Perspective::kExact;
+  bool vector_kernels = true;  // false: the plain C++ twins
+  bool surface_cache = true;   // false: everything is built anew for each frame
+  std::size_t cache_bytes = std::size_t{256} << 20;
+  bool occlusion_cull =
+      true;  // leave out faces that lie wholly behind nearer ones before they enter the edge list
+  bool use_pvs = true;
+  bool fill_depth = true;      // false: for measuring what filling 1/z costs
+  bool coloured_light = true;  // false: grey light also where the level has colours
+  int band_rows = 0;           // scan lines a band; 0: chosen from size and threads
+  Show show = Show::kPicture;
+  bool operator==(const Settings&) const = default;
+};
+
+// Which face a pixel shows: kept when asked for, for tests and `show`.
+struct PixelFace {
+  std::uint32_t instance;  // 0: the world; i + 1: Scene::brush_models[i]; kNothing: background
+  std::uint32_t face;
+  static constexpr std::uint32_t kNothing = 0xffffffff;
+};
+
+// Not thread-safe; several can live in one process.
+class Renderer {
+ public:
+  Renderer(const formats::Palette& palette, const formats::Colormap& colormap);
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  // Draws `scene` into every pixel of `io_frame`. Width and height from 1 to 8192. The same scene and
+  // settings give the same pixels, whatever was drawn before and however many threads.
+  FrameStats render(const Scene& scene, const Settings& settings, FrameBuffer& io_frame);
+
+  // The last frame's spans, expanded: one entry a pixel, and how often each pixel was written. For tests.
+  void pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_t> out_writes) const;
+
+  // Forgets all cached surfaces (a cold frame follows).
+  void drop_surfaces();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// Palette expansion: what a window shows. `out` has one 0xffRRGGBB a pixel; kRgb frames are copied.
+void present(const FrameBuffer& frame, const formats::Palette& palette, bool vector_kernels, base::Jobs& jobs,
+             std::span<std::uint32_t> out);
+
+}  // namespace temblor::render

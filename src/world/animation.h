@@ -1,0 +1,28 @@
+// What moves by itself in a level: textures +0..+9 / +a..+j and light styles. Time is always a parameter, in
+// double.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "world/level.h"
+
+namespace temblor::world {
+
+// The texture to draw in place of `texture` at `time_s`: frames last 0.2 s; the alternate sequence plays when
+// the entity's frame is not 0 (or the main one, when there is no alternate).
+TextureIndex animated_texture(const Level& level, TextureIndex texture, double time_s, int entity_frame);
+
+constexpr std::size_t kLightStyles = 64;
+// 256 = the light as stored ('m' gives 264, as the original has it).
+using LightStyleValues = std::array<std::uint16_t, kLightStyles>;
+
+// Patterns of letters, 10 a second: 'a' dark, 'm' normal, 'z' about double. Empty: constantly 256.
+using LightStylePatterns = std::array<std::string, kLightStyles>;
+// The twelve patterns every game starts with; 63 is "a" (tests); the rest empty.
+LightStylePatterns standard_light_styles();
+LightStyleValues light_style_values(const LightStylePatterns& patterns, double time_s);
+
+}  // namespace temblor::world
