@@ -6,7 +6,8 @@ find_package(glm REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(spdlog REQUIRED)
-find_package(libzip REQUIRED)
+# Debian's libzip-config.cmake wants the command-line tools' package as well; pkg-config does not.
+pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
 
 set(TEMBLOR_TBB_TARGET "")
