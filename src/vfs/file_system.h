@@ -1,0 +1,85 @@
+// The game's files: folders and archives mounted over one another, looked up by name.
+//
+// The order, lowest first, a later one hiding an earlier one's file of the same name:
+//   game folders: id1, then each game in the order given;
+//   in a game folder: its loose files, then pak0.pak, pak1.pak, ... up to the first number that is missing,
+//   then its *.pk3 in alphabetical order.
+// So archives win over loose files of the same folder, as in the original.
+//
+// Names are those of the data: relative, '/' between parts ('\' is taken for '/'), case does not matter.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/bytes.h"
+#include "base/result.h"
+#include "formats/pk3.h"
+
+namespace temblor::vfs {
+
+// Limits that keep a hostile file out of memory; a file over one is kTooLarge.
+constexpr std::uint64_t kMaxFileBytes = std::uint64_t{256} << 20;
+constexpr std::uint64_t kMaxPk3Bytes = std::uint64_t{1} << 30;  // all *.pk3 together: they are held in memory
+
+// A file on disk, whole. kNotFound, kIo, kTooLarge (over kMaxFileBytes); the error names it.
+base::Result<base::ByteVector> read_disk_file(const std::filesystem::path& path);
+
+// The name as files are looked up by: lower case, '/' between parts. Nothing when it is empty, absolute or
+// leads outside ("..").
+std::optional<std::string> normalized_name(std::string_view name);
+
+// Folders and archive tables are read once, by open(); files that appear later are not seen. Reading is
+// const and may be done from several threads.
+class FileSystem {
+ public:
+  // `games`: names of folders in base_folder, case does not matter; "id1" need not be among them. kNotFound
+  // when the base folder, id1 or a game is not there; kUsage for a name that is not a folder's; an archive
+  // that is damaged is an error that names it.
+  static base::Result<FileSystem> open(const std::filesystem::path& base_folder,
+                                       std::span<const std::string> games = {});
+
+  // The file's bytes. kNotFound says which folders were searched.
+  base::Result<base::ByteVector> read(std::string_view name) const;
+  bool contains(std::string_view name) const;
+
+  // Where a file comes from: its path on disk, or that of its archive; empty when there is no such file.
+  std::string where(std::string_view name) const;
+
+  // The game folder it comes from: 0 is id1, higher hides lower; nothing when there is no such file.
+  std::optional<std::size_t> game_of(std::string_view name) const;
+
+  // All files whose names start and end so, in lower case, sorted, each once: list("maps/", ".bsp").
+  std::vector<std::string> list(std::string_view prefix, std::string_view suffix) const;
+
+  // The game folders that are mounted, lowest first.
+  std::span<const std::filesystem::path> folders() const { return folders_; }
+
+ private:
+  struct File {
+    std::filesystem::path path;                 // on disk: the file, or the archive that it is in
+    std::size_t game = 0;                       // into folders_
+    std::uint64_t offset = 0, size = 0;         // in `path`; unused in a PK3
+    std::shared_ptr<const formats::Pk3> pk3{};  // null: the bytes lie in `path` as they are
+    std::size_t pk3_position = 0;
+  };
+
+  base::Status mount_game(const std::filesystem::path& folder);
+  base::Status mount_loose_files(const std::filesystem::path& folder);
+  base::Status mount_paks(const std::filesystem::path& folder);
+  base::Status mount_pk3s(const std::filesystem::path& folder);
+  const File* find(std::string_view name) const;
+
+  std::vector<std::filesystem::path> folders_;
+  std::map<std::string, File, std::less<>> files_;  // by normalized name
+  std::uint64_t pk3_bytes_ = 0;
+};
+
+}  // namespace temblor::vfs
