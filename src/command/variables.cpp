@@ -1,0 +1,225 @@
+#include "command/variables.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "base/text.h"
+
+namespace temblor::command {
+namespace {
+
+using base::ErrorCode;
+
+// A value of the variable's type: its number, and the one way in which it is written.
+struct Parsed {
+  double number;
+  std::string text;
+};
+
+std::optional<Parsed> parse_bool(std::string_view text) {
+  for (std::string_view yes : {"1", "true", "on", "yes"})
+    if (base::equal_ignoring_case(text, yes)) return Parsed{1, "1"};
+  for (std::string_view no : {"0", "false", "off", "no"})
+    if (base::equal_ignoring_case(text, no)) return Parsed{0, "0"};
+  return std::nullopt;
+}
+
+template <typename Number>
+std::optional<Parsed> parse_number(const Variable& variable, std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  Number number{};
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  const auto value = static_cast<double>(number);
+  // Written so that a value that is no number fails as well.
+  if (!(value >= variable.min && value <= variable.max)) return std::nullopt;
+  return Parsed{value, fmt::format("{}", number)};
+}
+
+std::optional<Parsed> parse_choice(const Variable& variable, std::string_view text) {
+  for (std::size_t i = 0; i < variable.choices.size(); ++i)
+    if (base::equal_ignoring_case(text, variable.choices[i]))
+      return Parsed{static_cast<double>(i), variable.choices[i]};
+  return std::nullopt;
+}
+
+std::optional<Parsed> parse_value(const Variable& variable, std::string_view text) {
+  switch (variable.type) {
+    case VariableType::kBool:
+      return parse_bool(text);
+    case VariableType::kInt:
+      return parse_number<std::int64_t>(variable, text);
+    case VariableType::kFloat:
+      return parse_number<double>(variable, text);
+    case VariableType::kChoice:
+      return parse_choice(variable, text);
+    case VariableType::kText:
+      break;
+  }
+  return Parsed{0, std::string(text)};
+}
+
+base::Error unknown_variable(std::string_view name) {
+  return base::error(ErrorCode::kNotFound, "there is no variable \"{}\"", name);
+}
+
+}  // namespace
+
+VariableIndex Variables::add(Variable variable) {
+  CHECK(!variable.name.empty());
+  const std::optional<Parsed> parsed = parse_value(variable, variable.default_text);
+  CHECK(parsed, "{}: default {}", variable.name, variable.default_text);
+  variable.default_text = variable.text = parsed->text;
+  variable.number = parsed->number;
+  const auto index = base::to_index<VariableIndex>(variables_.size());
+  const bool is_new = by_name_.emplace(base::to_lower(variable.name), index).second;
+  CHECK(is_new, "{}", variable.name);
+  variables_.push_back(std::move(variable));
+  return index;
+}
+
+VariableIndex Variables::add_bool(std::string_view name, bool value, std::string_view help) {
+  Variable variable;
+  variable.name = name;
+  variable.type = VariableType::kBool;
+  variable.default_text = value ? "1" : "0";
+  variable.help = help;
+  return add(std::move(variable));
+}
+
+VariableIndex Variables::add_int(std::string_view name, std::int64_t value, std::int64_t min,
+                                 std::int64_t max, std::string_view help) {
+  // Numbers are kept as double, which holds integers up to 2^53 exactly.
+  constexpr std::int64_t kExact = std::int64_t{1} << 53;
+  CHECK(min >= -kExact && max <= kExact, "{}", name);
+  Variable variable;
+  variable.name = name;
+  variable.type = VariableType::kInt;
+  variable.default_text = fmt::format("{}", value);
+  variable.help = help;
+  variable.min = static_cast<double>(min);
+  variable.max = static_cast<double>(max);
+  return add(std::move(variable));
+}
+
+VariableIndex Variables::add_float(std::string_view name, double value, double min, double max,
+                                   std::string_view help) {
+  Variable variable;
+  variable.name = name;
+  variable.type = VariableType::kFloat;
+  variable.default_text = fmt::format("{}", value);
+  variable.help = help;
+  variable.min = min;
+  variable.max = max;
+  return add(std::move(variable));
+}
+
+VariableIndex Variables::add_text(std::string_view name, std::string_view value, std::string_view help) {
+  Variable variable;
+  variable.name = name;
+  variable.type = VariableType::kText;
+  variable.default_text = value;
+  variable.help = help;
+  return add(std::move(variable));
+}
+
+VariableIndex Variables::add_choice(std::string_view name, std::span<const std::string_view> choices,
+                                    std::string_view help) {
+  CHECK(!choices.empty(), "{}", name);
+  Variable variable;
+  variable.name = name;
+  variable.type = VariableType::kChoice;
+  variable.default_text = choices[0];
+  variable.help = help;
+  variable.choices.assign(choices.begin(), choices.end());
+  return add(std::move(variable));
+}
+
+base::Status Variables::set(std::string_view name, std::string_view value) {
+  const auto found = by_name_.find(base::to_lower(name));
+  if (found == by_name_.end()) return unknown_variable(name);
+  Variable& variable = variables_[base::to_size(found->second)];
+  std::optional<Parsed> parsed = parse_value(variable, value);
+  if (!parsed)
+    return base::error(ErrorCode::kUsage, "{} cannot be \"{}\": it takes {}", variable.name, value,
+                       describe_values(variable));
+  if (parsed->text == variable.text) return base::Ok{};
+  variable.text = std::move(parsed->text);
+  variable.number = parsed->number;
+  variable.version = ++version_;
+  return base::Ok{};
+}
+
+base::Status Variables::set_assignment(std::string_view assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos || equals == 0)
+    return base::error(ErrorCode::kUsage, "\"{}\" is not NAME=VALUE", assignment);
+  return set(assignment.substr(0, equals), assignment.substr(equals + 1));
+}
+
+base::Status Variables::reset(std::string_view name) {
+  const Variable* variable = find(name);
+  if (variable == nullptr) return unknown_variable(name);
+  return set(name, std::string(variable->default_text));
+}
+
+const Variable* Variables::find(std::string_view name) const {
+  const auto found = by_name_.find(base::to_lower(name));
+  return found == by_name_.end() ? nullptr : &get(found->second);
+}
+
+std::vector<const Variable*> Variables::all() const {
+  std::vector<const Variable*> sorted;
+  for (const auto& [name, index] : by_name_) sorted.push_back(&get(index));
+  return sorted;
+}
+
+const Variable& Variables::get_typed(VariableIndex index, VariableType type) const {
+  const Variable& variable = get(index);
+  CHECK(variable.type == type, "{}", variable.name);
+  return variable;
+}
+
+bool Variables::bool_value(VariableIndex index) const {
+  return get_typed(index, VariableType::kBool).number != 0;
+}
+
+std::int64_t Variables::int_value(VariableIndex index) const {
+  return static_cast<std::int64_t>(get_typed(index, VariableType::kInt).number);
+}
+
+double Variables::float_value(VariableIndex index) const {
+  return get_typed(index, VariableType::kFloat).number;
+}
+
+const std::string& Variables::text_value(VariableIndex index) const {
+  return get_typed(index, VariableType::kText).text;
+}
+
+std::size_t Variables::choice_value(VariableIndex index) const {
+  return static_cast<std::size_t>(get_typed(index, VariableType::kChoice).number);
+}
+
+std::string describe_values(const Variable& variable) {
+  switch (variable.type) {
+    case VariableType::kBool:
+      return "0 or 1";
+    case VariableType::kInt:
+    case VariableType::kFloat:
+      return fmt::format("a{} from {} to {}",
+                         variable.type == VariableType::kInt ? " whole number" : " number", variable.min,
+                         variable.max);
+    case VariableType::kChoice:
+      return fmt::format("{}", fmt::join(variable.choices, " or "));
+    case VariableType::kText:
+      break;
+  }
+  return "any text";
+}
+
+}  // namespace temblor::command
