@@ -1,0 +1,32 @@
+# The README's two commands, `make play` and `make test`, do all set-up themselves; the rest is for working on it.
+.PHONY: play test bench format lint fuzz clean
+
+SOURCES = find src tests bench fuzz -name '*.cpp' -o -name '*.h'
+MAPS = start lq_e0m1 lq_e1m2
+
+play:
+	tools/play.sh
+test:
+	tools/run_tests.sh
+
+bench:
+	tools/setup.sh build
+	cmake --preset release
+	cmake --build --preset release --target temblor kernel_bench
+	build/release/temblor $(if $(TEMBLOR_DATA),--basedir "$(TEMBLOR_DATA)") bench --report $(addprefix --map ,$(MAPS))
+	build/release/bench/kernel_bench
+
+format:
+	$(SOURCES) | xargs clang-format-14 -i
+lint:
+	tools/lint.sh
+
+# A minute a target; what is found lies in build/fuzz/found/.
+fuzz:
+	tools/setup.sh develop
+	cmake --preset fuzz -DTEMBLOR_FUZZ_SECONDS=60
+	cmake --build --preset fuzz --target fuzzers
+	ctest --preset fuzz --parallel $$(nproc)
+
+clean:
+	rm -rf build out
