@@ -23,4 +23,12 @@ constexpr bool equal_ignoring_case(std::string_view a, std::string_view b) {
   return true;
 }
 
+// A name from a file, fit for one line of a message: '?' for what is not printable ASCII.
+inline std::string printable(std::string_view text) {
+  std::string line(text);
+  for (char& c : line)
+    if (c < ' ' || c > '~') c = '?';
+  return line;
+}
+
 }  // namespace temblor::base

@@ -32,7 +32,9 @@ base::ByteVector write_palette(const Palette& palette);
 base::Result<Colormap> read_colormap(base::Bytes bytes);
 base::ByteVector write_colormap(const Colormap& colormap);
 
-// The colormap a palette asks for: nearest colour to rgb * (63 - row) / 32, never index 255.
+// The colormap a palette asks for, as the stock one was made: the colour nearest (squared distance; the
+// lowest index where several are) to rgb * (63 - row) / 32, rounded and clamped to 255, never index 255. The
+// last 32 indices stay as they are in every row.
 Colormap make_colormap(const Palette& palette);
 
 }  // namespace temblor::formats
