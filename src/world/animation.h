@@ -11,8 +11,8 @@
 
 namespace temblor::world {
 
-// The texture to draw in place of `texture` at `time_s`: frames last 0.2 s; the alternate sequence plays when
-// the entity's frame is not 0 (or the main one, when there is no alternate).
+// The texture to draw in place of `texture` at `time_s` (finite; before 0 counts as 0): frames last 0.2 s;
+// the other sequence plays when the entity's frame is not 0 and there is one.
 TextureIndex animated_texture(const Level& level, TextureIndex texture, double time_s, int entity_frame);
 
 constexpr std::size_t kLightStyles = 64;
@@ -23,6 +23,7 @@ using LightStyleValues = std::array<std::uint16_t, kLightStyles>;
 using LightStylePatterns = std::array<std::string, kLightStyles>;
 // The twelve patterns every game starts with; 63 is "a" (tests); the rest empty.
 LightStylePatterns standard_light_styles();
+// At `time_s` (finite; before 0 counts as 0). Other characters count as the nearest letter.
 LightStyleValues light_style_values(const LightStylePatterns& patterns, double time_s);
 
 }  // namespace temblor::world

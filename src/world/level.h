@@ -46,6 +46,13 @@ struct Plane {
   std::int32_t axis;  // 0-2: the normal is that axis, positive; 3: any other
 };
 
+// How far in front of the plane the point lies, in units; negative behind it. Double, so that every query
+// agrees about points close to a plane.
+inline double distance_to(const Plane& plane, const math::Vec3d& point) {
+  const double along = plane.axis < 3 ? point[plane.axis] : glm::dot(point, math::Vec3d(plane.normal));
+  return along - double{plane.distance};
+}
+
 // A child of a node: another node, or a leaf.
 struct Child {
   std::int32_t value;  // >= 0: node; < 0: leaf ~value
@@ -70,11 +77,11 @@ struct Leaf {
 };
 
 enum class FaceKind : std::uint8_t {
-  kLit,
+  kLit,  // black when it has no samples (light == kNoLight)
   kSky,
   kLiquid,
-  kUnlit
-};  // kUnlit: an ordinary texture, drawn full-bright
+  kUnlit,  // an ordinary texture, drawn full-bright
+};
 
 constexpr std::uint32_t kNoLight = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint8_t kNoStyle = 255;
@@ -84,8 +91,8 @@ struct Face {
   std::uint32_t plane;
   bool back_side;  // looks against its plane's normal
   FaceKind kind;
-  std::uint8_t style_count;  // leading used entries of styles
-  std::array<std::uint8_t, 4> styles;
+  std::uint8_t style_count;            // leading used entries of styles
+  std::array<std::uint8_t, 4> styles;  // below kLightStyles (animation.h); unused: kNoStyle
   std::uint32_t first_surfedge, surfedge_count;
   std::uint32_t axes;  // into Level::texture_axes
   TextureIndex texture;
@@ -116,8 +123,8 @@ struct Texture {
   std::uint32_t width, height;  // of mip 0, at least 1, any size
   // Mip level k: (max(1, width >> k)) x (max(1, height >> k)) palette indices, row by row.
   std::array<std::vector<std::uint8_t>, 4> mips;
-  // Animation: the frames of the two sequences this texture belongs to (+0.. and +a..); both empty when it
-  // does not.
+  // Animation: `frames` is the sequence that this texture belongs to (+0.. or +a..; real levels use either on
+  // the world itself), `alternate_frames` the other of the two. Empty when there is none, or one with gaps.
   std::vector<TextureIndex> frames, alternate_frames;
 };
 
@@ -147,7 +154,7 @@ struct Level {
   std::vector<formats::BspEdge> edges;
   std::vector<std::int32_t> surfedges;  // negative: edge -value, end to start
   std::vector<TextureAxes> texture_axes;
-  std::vector<Texture> textures;
+  std::vector<Texture> textures;  // at least one: the last one stands for textures that are not there at all
   std::vector<Model> models;
   std::vector<std::uint8_t> visibility;  // run-length coded rows
   std::uint32_t visible_leaf_count = 0;  // leafs 1..count take part in the PVS
@@ -170,8 +177,9 @@ struct Level {
 };
 
 // `bsp` was validated by its reader. Coloured light, in this order: `lit` when given (its size must match,
-// else an error), the BSPX lump RGBLIGHTING, none. Fails when a face's light lies outside the samples, or
-// when a face has an extent that no real level has (over 2^20 texels).
+// else an error), the BSPX lump RGBLIGHTING (likewise), none. Fails when the entity text does not parse, when
+// a face's light lies outside the samples or has a style past 63, or when a face has an extent that no real
+// level has (over 2^20 texels).
 base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::string name,
                                                       const formats::Lit* lit = nullptr);
 

@@ -1,0 +1,62 @@
+#include "world/animation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace temblor::world {
+namespace {
+
+constexpr double kTicksPerSecond = 10;
+constexpr std::size_t kTicksPerTextureFrame = 2;
+constexpr int kLightPerLetter = 22;
+constexpr std::uint16_t kNormalLight = 256;
+
+// Which of `count` ticks it is, counted around from time 0. Stays exact for as long as a double tells tenths
+// of a second apart (over a million years).
+std::size_t tick_of(double time_s, std::size_t count) {
+  const double ticks = std::floor(std::max(0.0, time_s) * kTicksPerSecond);
+  return static_cast<std::size_t>(std::fmod(ticks, static_cast<double>(count)));
+}
+
+std::uint16_t light_of_letter(char letter) {
+  return static_cast<std::uint16_t>(std::clamp(letter - 'a', 0, 'z' - 'a') * kLightPerLetter);
+}
+
+}  // namespace
+
+TextureIndex animated_texture(const Level& level, TextureIndex texture, double time_s, int entity_frame) {
+  const Texture& base = level.texture(texture);
+  const bool alternate = entity_frame != 0 && !base.alternate_frames.empty();
+  const std::vector<TextureIndex>& frames = alternate ? base.alternate_frames : base.frames;
+  if (frames.empty()) return texture;
+  return frames[tick_of(time_s, frames.size() * kTicksPerTextureFrame) / kTicksPerTextureFrame];
+}
+
+LightStylePatterns standard_light_styles() {
+  LightStylePatterns patterns;
+  patterns[0] = "m";
+  patterns[1] = "mmnmmommommnonmmonqnmmo";
+  patterns[2] = "abcdefghijklmnopqrstuvwxyzyxwvutsrqponmlkjihgfedcba";
+  patterns[3] = "mmmmmaaaaammmmmaaaaaabcdefgabcdefg";
+  patterns[4] = "mamamamamama";
+  patterns[5] = "jklmnopqrstuvwxyzyxwvutsrqponmlkj";
+  patterns[6] = "nmonqnmomnmomomno";
+  patterns[7] = "mmmaaaabcdefgmmmmaaaammmaamm";
+  patterns[8] = "mmmaaammmaaammmabcdefaaaammmmabcdefmmmaaaa";
+  patterns[9] = "aaaaaaaazzzzzzzz";
+  patterns[10] = "mmamammmmammamamaaamammma";
+  patterns[11] = "abcdefghijklmnopqrrqponmlkjihgfedcba";
+  patterns[63] = "a";
+  return patterns;
+}
+
+LightStyleValues light_style_values(const LightStylePatterns& patterns, double time_s) {
+  LightStyleValues values;
+  for (std::size_t i = 0; i < kLightStyles; ++i) {
+    const std::string& pattern = patterns[i];
+    values[i] = pattern.empty() ? kNormalLight : light_of_letter(pattern[tick_of(time_s, pattern.size())]);
+  }
+  return values;
+}
+
+}  // namespace temblor::world

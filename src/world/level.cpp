@@ -1,0 +1,117 @@
+// From the structs of the file to a level: everything that can be worked out once is worked out here. What
+// the reader has validated (indices, ranges, trees without cycles, finite numbers) is relied on.
+#include "world/level.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "world/loading/faces.h"
+#include "world/loading/textures.h"
+
+namespace temblor::world {
+namespace {
+
+// Players' engines grow models by this on every side, and game code has come to expect it.
+constexpr float kModelMargin = 1;
+
+Plane make_plane(const formats::BspPlane& plane) {
+  // The file's own `type` is not trusted: it would let a wrong one bend every query.
+  std::int32_t axis = 3;
+  for (std::int32_t i = 0; i < 3; ++i) {
+    math::Vec3 unit(0.0f);
+    unit[i] = 1;
+    if (plane.normal == unit) axis = i;
+  }
+  return {plane.normal, plane.distance, axis};
+}
+
+Node make_node(const formats::BspNode& node) {
+  return {node.plane,
+          {Child{node.children[0]}, Child{node.children[1]}},
+          {node.mins, node.maxs},
+          node.first_face,
+          node.face_count};
+}
+
+Leaf make_leaf(const formats::BspLeaf& leaf) {
+  return {static_cast<Contents>(leaf.contents),
+          leaf.visibility_offset,
+          {leaf.mins, leaf.maxs},
+          leaf.first_marksurface,
+          leaf.marksurface_count,
+          leaf.ambient};
+}
+
+Model make_model(const formats::BspModel& model) {
+  return {{model.mins - kModelMargin, model.maxs + kModelMargin},
+          model.origin,
+          Child{model.head_nodes[0]},
+          {model.head_nodes[1], model.head_nodes[2], model.head_nodes[3]},
+          model.first_face,
+          model.face_count};
+}
+
+template <typename To, typename From, typename Make>
+std::vector<To> convert(const std::vector<From>& from, Make make) {
+  std::vector<To> to;
+  to.reserve(from.size());
+  for (const From& element : from) to.push_back(make(element));
+  return to;
+}
+
+void take_geometry(formats::Bsp& io_bsp, Level& io_level) {
+  io_level.planes = convert<Plane>(io_bsp.planes, make_plane);
+  io_level.nodes = convert<Node>(io_bsp.nodes, make_node);
+  io_level.leafs = convert<Leaf>(io_bsp.leafs, make_leaf);
+  io_level.models = convert<Model>(io_bsp.models, make_model);
+  io_level.clipnodes = convert<Clipnode>(io_bsp.clipnodes, [](const formats::BspClipnode& node) {
+    return Clipnode{node.plane, node.children};
+  });
+  io_level.texture_axes = convert<TextureAxes>(io_bsp.texinfos, [](const formats::BspTexinfo& info) {
+    return TextureAxes{info.s_axis, info.s_offset, info.t_axis, info.t_offset};
+  });
+  io_level.marked_faces = convert<FaceIndex>(io_bsp.marksurfaces,
+                                             [](std::uint32_t face) { return static_cast<FaceIndex>(face); });
+  io_level.vertices = std::move(io_bsp.vertices);
+  io_level.edges = std::move(io_bsp.edges);
+  io_level.surfedges = std::move(io_bsp.surfedges);
+  io_level.visibility = std::move(io_bsp.visibility);
+  const std::int32_t visible_leafs = std::max(0, io_bsp.models[0].visible_leafs);
+  io_level.visible_leaf_count = std::min(static_cast<std::uint32_t>(visible_leafs),
+                                         static_cast<std::uint32_t>(io_level.leafs.size() - 1));
+}
+
+base::Status take_light(formats::Bsp& io_bsp, const formats::Lit* lit, Level& io_level) {
+  io_level.light = std::move(io_bsp.lighting);
+  io_level.has_light = !io_level.light.empty();
+  const std::size_t rgb_size = io_level.light.size() * 3;
+  if (lit != nullptr) {
+    if (lit->samples.size() != rgb_size)
+      return base::malformed("the .lit file has {} bytes of colour, the level's {} light samples need {}",
+                             lit->samples.size(), io_level.light.size(), rgb_size);
+    io_level.light_rgb = lit->samples;
+  } else if (const formats::BspxLump* lump = io_bsp.find_bspx("RGBLIGHTING")) {
+    if (lump->data.size() != rgb_size)
+      return base::malformed("lump RGBLIGHTING: {} bytes of colour, the level's {} light samples need {}",
+                             lump->data.size(), io_level.light.size(), rgb_size);
+    const auto samples = base::as_u8(lump->data);
+    io_level.light_rgb.assign(samples.begin(), samples.end());
+  }
+  return base::Ok{};
+}
+
+}  // namespace
+
+base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::string name,
+                                                      const formats::Lit* lit) {
+  auto level = std::make_shared<Level>();
+  level->name = std::move(name);
+  TRY(level->entities, formats::read_entities(bsp.entities));
+  take_geometry(bsp, *level);
+  TRY_STATUS(take_light(bsp, lit, *level));
+  level->textures = make_textures(bsp.miptexes);
+  TRY_STATUS(make_faces(bsp, *level));
+  return std::shared_ptr<const Level>(std::move(level));
+}
+
+}  // namespace temblor::world

@@ -1,0 +1,143 @@
+#include "world/loading/textures.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "base/text.h"
+
+namespace temblor::world {
+namespace {
+
+constexpr std::uint32_t kCheckerSize = 64;
+constexpr std::uint32_t kCheckerSquare = 8;
+// Black and the brightest red of the stock palette, which nothing else in a level looks like.
+constexpr std::uint8_t kCheckerColours[2] = {0, 251};
+
+TextureKind kind_of(std::string_view name) {
+  if (base::equal_ignoring_case(name.substr(0, 3), "sky")) return TextureKind::kSky;
+  if (name.starts_with('*')) return TextureKind::kLiquid;
+  if (name.starts_with('{')) return TextureKind::kCutout;
+  return TextureKind::kOpaque;
+}
+
+std::uint32_t mip_size(std::uint32_t size, unsigned mip) {
+  return std::max(1u, size >> mip);
+}
+
+// A level has no palette, so a mip level that it lacks is picked from mip 0, not averaged.
+std::vector<std::uint8_t> sample_mip(const Texture& texture, unsigned mip) {
+  const std::uint32_t width = mip_size(texture.width, mip);
+  const std::uint32_t height = mip_size(texture.height, mip);
+  std::vector<std::uint8_t> texels;
+  texels.reserve(std::size_t{width} * height);
+  for (std::uint32_t y = 0; y < height; ++y) {
+    const std::size_t row = std::size_t{y << mip} * texture.width;
+    for (std::uint32_t x = 0; x < width; ++x) texels.push_back(texture.mips[0][row + (x << mip)]);
+  }
+  return texels;
+}
+
+void complete_mips(Texture& io_texture) {
+  for (unsigned mip = 1; mip < io_texture.mips.size(); ++mip) {
+    const std::size_t texels =
+        std::size_t{mip_size(io_texture.width, mip)} * mip_size(io_texture.height, mip);
+    if (io_texture.mips[mip].size() != texels) io_texture.mips[mip] = sample_mip(io_texture, mip);
+  }
+}
+
+Texture make_missing_texture(std::string name) {
+  Texture texture{};
+  texture.kind = kind_of(name);
+  texture.name = std::move(name);
+  texture.missing = true;
+  texture.width = texture.height = kCheckerSize;
+  for (std::uint32_t y = 0; y < kCheckerSize; ++y)
+    for (std::uint32_t x = 0; x < kCheckerSize; ++x)
+      texture.mips[0].push_back(kCheckerColours[(x / kCheckerSquare + y / kCheckerSquare) % 2]);
+  complete_mips(texture);
+  return texture;
+}
+
+Texture make_texture(formats::BspMiptex& io_miptex) {
+  const std::size_t texels = std::size_t{io_miptex.width} * io_miptex.height;
+  if (!io_miptex.present || texels == 0 || io_miptex.mips[0].size() != texels)
+    return make_missing_texture(std::move(io_miptex.name));
+  Texture texture{};
+  texture.kind = kind_of(io_miptex.name);
+  texture.name = std::move(io_miptex.name);
+  texture.width = io_miptex.width;
+  texture.height = io_miptex.height;
+  texture.mips = std::move(io_miptex.mips);
+  complete_mips(texture);
+  return texture;
+}
+
+constexpr std::size_t kMaxFrames = 10;
+
+struct AnimationFrame {
+  bool alternate;  // of +a..+j, not +0..+9
+  std::size_t position;
+};
+
+std::optional<AnimationFrame> animation_frame_of(std::string_view name) {
+  if (name.size() < 2 || name[0] != '+') return std::nullopt;
+  const char letter = base::to_lower(name[1]);
+  if (letter >= '0' && letter <= '9') return AnimationFrame{false, static_cast<std::size_t>(letter - '0')};
+  if (letter >= 'a' && letter <= 'j') return AnimationFrame{true, static_cast<std::size_t>(letter - 'a')};
+  return std::nullopt;
+}
+
+using Slots = std::array<std::optional<TextureIndex>, kMaxFrames>;
+
+struct Sequences {
+  Slots main, alternate;
+};
+
+// The frames up to the last one; empty when one before it is missing, which leaves nothing right to play.
+std::vector<TextureIndex> frames_without_gap(const Slots& slots) {
+  std::vector<TextureIndex> frames;
+  bool ended = false;
+  for (const std::optional<TextureIndex>& slot : slots) {
+    if (slot && ended) return {};
+    if (slot)
+      frames.push_back(*slot);
+    else
+      ended = true;
+  }
+  return frames;
+}
+
+void join_animations(std::vector<Texture>& io_textures) {
+  std::map<std::string, Sequences> sequences_by_name;
+  for (std::size_t i = 0; i < io_textures.size(); ++i) {
+    const std::string& name = io_textures[i].name;
+    const auto frame = animation_frame_of(name);
+    if (!frame) continue;
+    Sequences& sequences = sequences_by_name[base::to_lower(name.substr(2))];
+    auto& slot = (frame->alternate ? sequences.alternate : sequences.main)[frame->position];
+    if (!slot) slot = base::to_index<TextureIndex>(i);
+  }
+  for (Texture& texture : io_textures) {
+    const auto frame = animation_frame_of(texture.name);
+    if (!frame) continue;
+    const Sequences& sequences = sequences_by_name[base::to_lower(texture.name.substr(2))];
+    texture.frames = frames_without_gap(frame->alternate ? sequences.alternate : sequences.main);
+    texture.alternate_frames = frames_without_gap(frame->alternate ? sequences.main : sequences.alternate);
+  }
+}
+
+}  // namespace
+
+std::vector<Texture> make_textures(std::vector<formats::BspMiptex>& io_miptexes) {
+  std::vector<Texture> textures;
+  textures.reserve(io_miptexes.size() + 1);
+  for (formats::BspMiptex& miptex : io_miptexes) textures.push_back(make_texture(miptex));
+  textures.push_back(make_missing_texture(""));
+  join_animations(textures);
+  return textures;
+}
+
+}  // namespace temblor::world

@@ -1,0 +1,57 @@
+#include "world/visibility.h"
+
+#include <algorithm>
+
+namespace temblor::world {
+
+LeafIndex find_leaf(const Level& level, const math::Vec3& point) {
+  Child child = level.world().head;
+  while (!child.is_leaf()) {
+    const Node& node = level.node(child.node());
+    const bool front = distance_to(level.planes[node.plane], math::Vec3d(point)) >= 0;
+    child = node.children[front ? 0 : 1];
+  }
+  return child.leaf();
+}
+
+Contents point_contents(const Level& level, const math::Vec3& point) {
+  return level.leaf(find_leaf(level, point)).contents;
+}
+
+namespace {
+
+void see_everything(std::uint32_t leaf_count, std::vector<std::uint8_t>& out_row) {
+  std::fill(out_row.begin(), out_row.end(), std::uint8_t{0xff});
+  if (leaf_count % 8 != 0) out_row.back() = static_cast<std::uint8_t>((1u << (leaf_count % 8)) - 1);
+}
+
+// A byte stands for itself; 0 is followed by how many zero bytes it stands for.
+void expand_row(std::span<const std::uint8_t> coded, std::vector<std::uint8_t>& out_row) {
+  std::fill(out_row.begin(), out_row.end(), std::uint8_t{0});
+  std::size_t to = 0;
+  for (std::size_t from = 0; from < coded.size() && to < out_row.size(); ++from) {
+    if (coded[from] != 0) {
+      out_row[to++] = coded[from];
+    } else if (++from < coded.size()) {
+      to += coded[from];
+    }
+  }
+}
+
+}  // namespace
+
+void decompress_pvs(const Level& level, LeafIndex from, std::vector<std::uint8_t>& out_row) {
+  const std::uint32_t leaf_count = level.visible_leaf_count;
+  out_row.resize((std::size_t{leaf_count} + 7) / 8);
+  if (out_row.empty()) return;
+  const std::int32_t offset = level.leaf(from).visibility_offset;
+  if (from == LeafIndex{0} || offset < 0 || level.visibility.empty()) {
+    see_everything(leaf_count, out_row);
+    return;
+  }
+  const std::span<const std::uint8_t> coded(level.visibility);
+  expand_row(coded.subspan(std::min(static_cast<std::size_t>(offset), coded.size())), out_row);
+  if (leaf_count % 8 != 0) out_row.back() &= static_cast<std::uint8_t>((1u << (leaf_count % 8)) - 1);
+}
+
+}  // namespace temblor::world
