@@ -1,3 +1,77 @@
-int main() {
-  return 0;
+// The program: reads the command line and runs one command.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "app/diagnostics.h"
+#include "app/options.h"
+#include "app/render_command.h"
+#include "app/render_settings.h"
+#include "app/settings_command.h"
+#include "command/variables.h"
+
+namespace temblor::app {
+namespace {
+
+constexpr const char* kHelpFooter =
+    R"(temblor COMMAND --help says more about a command.
+
+Examples:
+  temblor --basedir quake render --map start -o start.png
+  temblor --basedir quake --game hipnotic bench --map hip1m1
+  temblor --set r_mip_rule=stock --show mips render -o mips.png
+  temblor settings)";
+
+struct Commands {
+  CommonOptions common;
+  RenderOptions render;
+  CLI::App* render_command = nullptr;
+  CLI::App* settings_command = nullptr;
+};
+
+void describe_command_line(CLI::App& program, Commands& io_commands) {
+  program.footer(kHelpFooter);
+  program.set_version_flag("--version", TEMBLOR_VERSION);
+  program.require_subcommand(1);
+  program.fallthrough();  // --basedir and the like are understood after the command as well
+  add_common_options(program, io_commands.common);
+  io_commands.render_command = add_render_command(program, io_commands.render);
+  io_commands.settings_command = add_settings_command(program);
+}
+
+base::Status run(const Commands& commands) {
+  command::Variables variables;
+  const RenderSettings render_settings(variables);
+  if (commands.render_command->parsed()) {
+    TRY_STATUS(apply_options(commands.common, commands.render.frame.threads, variables));
+    return run_render(commands.render, commands.common.folders, render_settings.read(variables));
+  }
+  TRY_STATUS(apply_options(commands.common, std::nullopt, variables));
+  run_settings(variables);
+  return base::Ok{};
+}
+
+int run_program(int argument_count, const char* const* arguments) {
+  CLI::App program("Temblor: draws and plays Quake-class levels without a GPU", "temblor");
+  Commands commands;
+  describe_command_line(program, commands);
+  try {
+    program.parse(argument_count, arguments);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+      return program.exit(error);  // --help and --version, printed to standard output
+    print_error(base::Error{base::ErrorCode::kUsage, error.what(), {}});
+    return kExitUsage;
+  }
+  const base::Status status = run(commands);
+  if (status.ok()) return kExitSuccess;
+  print_error(status.error());
+  return exit_status(status.error());
+}
+
+}  // namespace
+}  // namespace temblor::app
+
+int main(int argument_count, char** arguments) {
+  return temblor::app::run_program(argument_count, arguments);
 }

@@ -1,0 +1,117 @@
+#include "app/options.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace temblor::app {
+namespace {
+
+using base::ErrorCode;
+
+constexpr int kMaxSide = 8192;
+
+// The whole of `text` as a number, or nothing.
+template <typename Number>
+std::optional<Number> parse_number(std::string_view text) {
+  Number number{};
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+base::Result<FrameSize> parse_size(std::string_view text) {
+  const std::size_t x = text.find('x');
+  if (x != std::string_view::npos) {
+    const auto width = parse_number<int>(text.substr(0, x));
+    const auto height = parse_number<int>(text.substr(x + 1));
+    if (width && height && *width >= 1 && *width <= kMaxSide && *height >= 1 && *height <= kMaxSide)
+      return FrameSize{*width, *height};
+  }
+  return base::error(ErrorCode::kUsage, "\"{}\" is not WIDTHxHEIGHT with sides of 1 to {} pixels", text,
+                     kMaxSide);
+}
+
+base::Result<math::Vec3> parse_vec3(std::string_view text) {
+  std::array<float, 3> parts{};
+  std::string_view rest = text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
+    const auto number = parse_number<float>(rest.substr(0, comma));
+    if (comma == std::string_view::npos || !number || !std::isfinite(*number))
+      return base::error(ErrorCode::kUsage, "\"{}\" is not three numbers with commas between", text);
+    parts[i] = *number;
+    if (i < 2) rest.remove_prefix(comma + 1);
+  }
+  return math::Vec3(parts[0], parts[1], parts[2]);
+}
+
+base::Result<render::PixelFormat> parse_color(std::string_view text) {
+  for (const auto format : {render::PixelFormat::kIndexed, render::PixelFormat::kRgb})
+    if (text == name_of(format)) return format;
+  return base::error(ErrorCode::kUsage, "\"{}\" is neither indexed nor rgb", text);
+}
+
+const char* name_of(render::PixelFormat format) {
+  return format == render::PixelFormat::kIndexed ? "indexed" : "rgb";
+}
+
+void add_common_options(CLI::App& program, CommonOptions& io_options) {
+  program
+      .add_option("--basedir", io_options.folders.base_folder,
+                  "Folder that holds the game folders (id1, mods); the current one where it holds id1")
+      ->type_name("DIR");
+  program
+      .add_option("--game", io_options.folders.games,
+                  "Game folder to add to id1; may be repeated, the last one wins")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->take_all();
+  program
+      .add_option("--set", io_options.assignments,
+                  "Sets a console variable; may be repeated; `temblor settings` lists them")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false)
+      ->take_all();
+  program
+      .add_option(
+          "--show", io_options.show,
+          "Draws that instead of the picture: faces, edges, spans, surfaces, mips, pvs, overdraw, depth")
+      ->type_name("KIND");
+}
+
+void add_frame_options(CLI::App& command, FrameOptions& io_options) {
+  add_parsed_option(command, "--size", io_options.size, parse_size, "Size of a frame in pixels")
+      ->type_name("WxH")
+      ->default_str(fmt::format("{}x{}", io_options.size.width, io_options.size.height));
+  add_parsed_option(command, "--color", io_options.format, parse_color,
+                    "Pixel format: palette indices as the original, or 32 bits with coloured light")
+      ->type_name("indexed|rgb")
+      ->default_str(name_of(io_options.format));
+  command
+      .add_option("--fov", io_options.fov_deg,
+                  "Horizontal field of view of a 4:3 picture in degrees; wider pictures see more")
+      ->type_name("DEGREES")
+      ->check(CLI::Range(10.0, 170.0))
+      ->capture_default_str();
+  command.add_option("--threads", io_options.threads, "Threads that draw; 0: one for each core")
+      ->type_name("N")
+      ->check(CLI::Range(0, 256));
+}
+
+base::Status apply_options(const CommonOptions& options, std::optional<int> threads,
+                           command::Variables& io_variables) {
+  auto as_usage = [](const char* option, base::Status status) -> base::Status {
+    if (status.ok()) return status;
+    return base::error(ErrorCode::kUsage, "{}: {}; temblor settings lists all", option, status.error().what);
+  };
+  for (const std::string& assignment : options.assignments)
+    TRY_STATUS(as_usage("--set", io_variables.set_assignment(assignment)));
+  if (!options.show.empty()) TRY_STATUS(as_usage("--show", io_variables.set("r_show", options.show)));
+  if (threads) TRY_STATUS(as_usage("--threads", io_variables.set("r_threads", std::to_string(*threads))));
+  return base::Ok{};
+}
+
+}  // namespace temblor::app

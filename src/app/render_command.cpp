@@ -1,0 +1,111 @@
+#include "app/render_command.h"
+
+#include "app/diagnostics.h"
+#include "app/frame_report.h"
+#include "app/level_loading.h"
+#include "app/level_scene.h"
+#include "app/picture_file.h"
+#include "app/viewpoints.h"
+
+namespace temblor::app {
+namespace {
+
+using base::ErrorCode;
+
+constexpr int kMaxFrames = 100000;
+
+constexpr const char* kHelpFooter =
+    R"(Without --pos and --angles: the eye of a player at the level's start, or for orthographic
+projection the whole level from above. --basedir, --game, --set and --show: see temblor --help.
+
+Examples:
+  temblor --basedir quake render --map start -o start.png
+  temblor --basedir quake render --map e1m1 --pos 480,-352,110 --angles 10,90,0 --size 1920x1080 -o hall.png
+  temblor --basedir quake render --map e1m1 --projection orthographic --size 2048x2048 -o plan.png
+  temblor --basedir quake --show mips render --map e1m1 --color indexed --stats -o mips.png
+  temblor --basedir quake render --map start --frames 360 --turn 1 -o turn-%05d.png
+  temblor render -o small_level.png)";
+
+base::Result<render::Projection> parse_projection(std::string_view text) {
+  if (text == "perspective") return render::Projection::kPerspective;
+  if (text == "orthographic") return render::Projection::kOrthographic;
+  return base::error(ErrorCode::kUsage, "\"{}\" is neither perspective nor orthographic", text);
+}
+
+render::Camera first_camera(const RenderOptions& options, const world::Level& level) {
+  const bool from_above = options.projection == render::Projection::kOrthographic;
+  const Viewpoint viewpoint =
+      from_above ? Viewpoint{"", center_of(level), math::Vec3(90.0f, 0.0f, 0.0f)} : start_viewpoint(level);
+  render::Camera camera;
+  camera.origin_world = options.position_world.value_or(viewpoint.eye_world);
+  camera.angles_deg = options.angles_deg.value_or(viewpoint.angles_deg);
+  camera.fov_deg = options.frame.fov_deg;
+  camera.projection = options.projection;
+  return camera;
+}
+
+base::Status check_names(const RenderOptions& options) {
+  TRY_STATUS(numbered_name(options.out, 0));
+  if (options.frames > 1 && !is_numbered(options.out))
+    return base::error(ErrorCode::kUsage, "-o {}: {} frames need a number in the name, as in turn-%05d.png",
+                       options.out, options.frames);
+  return base::Ok{};
+}
+
+}  // namespace
+
+CLI::App* add_render_command(CLI::App& program, RenderOptions& io_options) {
+  CLI::App* command = program.add_subcommand("render", "Draws pictures of a level without a display");
+  command
+      ->add_option("--map", io_options.map, "Level to draw: its name, or a .bsp file; else one made in code")
+      ->type_name("NAME");
+  add_parsed_option(*command, "--pos", io_options.position_world, parse_vec3,
+                    "Where the eye is, in map units")
+      ->type_name("X,Y,Z");
+  add_parsed_option(*command, "--angles", io_options.angles_deg, parse_vec3,
+                    "Where it looks, in degrees; pitch is positive downwards")
+      ->type_name("PITCH,YAW,ROLL");
+  add_frame_options(*command, io_options.frame);
+  add_parsed_option(*command, "--projection", io_options.projection, parse_projection,
+                    "Perspective, or parallel for overviews: the level fits the picture")
+      ->type_name("perspective|orthographic")
+      ->default_str("perspective");
+  command->add_option("--time", io_options.time_s, "Seconds into the level: light, liquids, sky, animation")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, 1e9));
+  command->add_option("--frames", io_options.frames, "Number of pictures")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxFrames));
+  command->add_option("--turn", io_options.turn_deg, "Turn to the left from one picture to the next")
+      ->type_name("DEGREES");
+  command->add_flag("--stats", io_options.stats, "Prints what each frame took");
+  command->add_option("-o,--output", io_options.out, "PNG file; with --frames its name holds %d or %05d")
+      ->type_name("OUT")
+      ->required();
+  command->footer(kHelpFooter);
+  return command;
+}
+
+base::Status run_render(const RenderOptions& options, const GameFolders& folders,
+                        const render::Settings& settings) {
+  TRY_STATUS(check_names(options));
+  TRY(const LoadedMap loaded, load_map(folders, options.map));
+  for (const std::string& note : loaded.notes) print_note(note);
+
+  const LevelScene level_scene = make_level_scene(loaded.level);
+  render::Camera camera = first_camera(options, *loaded.level);
+  render::Renderer renderer(loaded.look.palette, loaded.look.colormap);
+  render::FrameBuffer frame(options.frame.size.width, options.frame.size.height, options.frame.format);
+  const float first_yaw_deg = camera.angles_deg.y;
+  for (int i = 0; i < options.frames; ++i) {
+    camera.angles_deg.y = first_yaw_deg + static_cast<float>(options.turn_deg * i);
+    const render::FrameStats stats =
+        renderer.render(scene_at(level_scene, camera, options.time_s), settings, frame);
+    TRY(const std::string path, numbered_name(options.out, static_cast<std::size_t>(i)));
+    TRY_STATUS(write_picture_file(path, frame, loaded.look.palette));
+    if (options.stats) fmt::print("{}\n{}", path, describe_frame(stats, frame.pixel_count()));
+  }
+  return base::Ok{};
+}
+
+}  // namespace temblor::app

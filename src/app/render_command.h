@@ -1,0 +1,34 @@
+// `temblor render`: pictures of a level, without a display.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "app/options.h"
+#include "base/result.h"
+#include "command/variables.h"
+#include "render/renderer.h"
+#include "render/scene.h"
+
+namespace temblor::app {
+
+struct RenderOptions {
+  std::string map;  // empty: the level made in code
+  FrameOptions frame{.size = {1280, 720}};
+  render::Projection projection = render::Projection::kPerspective;
+  std::optional<math::Vec3> position_world;
+  std::optional<math::Vec3> angles_deg;
+  double time_s = 0;
+  int frames = 1;
+  double turn_deg = 0;  // yaw from one frame to the next
+  bool stats = false;
+  std::string out;
+};
+
+CLI::App* add_render_command(CLI::App& program, RenderOptions& io_options);
+
+base::Status run_render(const RenderOptions& options, const GameFolders& folders,
+                        const render::Settings& settings);
+
+}  // namespace temblor::app

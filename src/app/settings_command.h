@@ -1,0 +1,13 @@
+// `temblor settings`: every console variable with its value and help.
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "command/variables.h"
+
+namespace temblor::app {
+
+CLI::App* add_settings_command(CLI::App& program);
+void run_settings(const command::Variables& variables);
+
+}  // namespace temblor::app
