@@ -36,8 +36,8 @@ class ZipError {
   ZipError& operator=(const ZipError&) = delete;
 
   zip_error_t* get() { return &error_; }
-  base::Error to_error(std::string_view doing) {
-    return base::malformed("PK3: {}: {}", doing, zip_error_strerror(&error_));
+  base::Error to_error(ErrorCode code, std::string_view what) {
+    return base::error(code, "PK3: {}: {}", what, zip_error_strerror(&error_));
   }
 
  private:
@@ -193,9 +193,9 @@ base::Result<Pk3> read_pk3(base::ByteVector bytes, const Pk3Limits& limits) {
   zip->bytes = std::move(bytes);
   ZipError error;
   SourceHandle source(zip_source_buffer_create(zip->bytes.data(), zip->bytes.size(), 0, error.get()));
-  if (!source) return error.to_error("cannot be opened");
+  if (!source) return error.to_error(ErrorCode::kIo, "cannot be opened");
   zip->handle.reset(zip_open_from_source(source.get(), ZIP_RDONLY, error.get()));
-  if (!zip->handle) return error.to_error("the zip directory is damaged");
+  if (!zip->handle) return error.to_error(ErrorCode::kMalformed, "the zip directory is damaged");
   (void)source.release();  // the archive's now
   TRY(std::vector<Pk3Entry> entries, read_directory(zip->handle.get(), zip->bytes.size(), limits));
   return Pk3(std::move(zip), std::move(entries));
@@ -205,13 +205,13 @@ base::Result<base::ByteVector> write_pk3(std::span<const ArchiveFile> files) {
   if (files.empty()) return base::error(ErrorCode::kUsage, "PK3: no files to pack");
   ZipError error;
   const SourceHandle source(zip_source_buffer_create(nullptr, 0, 0, error.get()));
-  if (!source) return error.to_error("cannot be created");
+  if (!source) return error.to_error(ErrorCode::kIo, "cannot be created");
   zip_source_keep(
       source.get());  // one hold for the archive, which drops it when closed; one for reading back
   ZipHandle zip(zip_open_from_source(source.get(), ZIP_TRUNCATE, error.get()));
   if (!zip) {
     zip_source_free(source.get());
-    return error.to_error("cannot be created");
+    return error.to_error(ErrorCode::kIo, "cannot be created");
   }
   for (const ArchiveFile& file : files) TRY_STATUS(add_file(zip.get(), file));
   if (zip_close(zip.get()) != 0)

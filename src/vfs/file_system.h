@@ -22,15 +22,12 @@
 #include "base/bytes.h"
 #include "base/result.h"
 #include "formats/pk3.h"
+#include "vfs/disk.h"
 
 namespace temblor::vfs {
 
-// Limits that keep a hostile file out of memory; a file over one is kTooLarge.
-constexpr std::uint64_t kMaxFileBytes = std::uint64_t{256} << 20;
-constexpr std::uint64_t kMaxPk3Bytes = std::uint64_t{1} << 30;  // all *.pk3 together: they are held in memory
-
-// A file on disk, whole. kNotFound, kIo, kTooLarge (over kMaxFileBytes); the error names it.
-base::Result<base::ByteVector> read_disk_file(const std::filesystem::path& path);
+// All *.pk3 together: they are held in memory. One file, wherever it comes from, is at most kMaxFileBytes.
+constexpr std::uint64_t kMaxPk3Bytes = std::uint64_t{1} << 30;
 
 // The name as files are looked up by: lower case, '/' between parts. Nothing when it is empty, absolute or
 // leads outside ("..").
@@ -53,6 +50,9 @@ class FileSystem {
   // Where a file comes from: its path on disk, or that of its archive; empty when there is no such file.
   std::string where(std::string_view name) const;
 
+  // The same for a message: "PATH" of a loose file, "NAME in ARCHIVE", or just the name.
+  std::string describe(std::string_view name) const;
+
   // The game folder it comes from: 0 is id1, higher hides lower; nothing when there is no such file.
   std::optional<std::size_t> game_of(std::string_view name) const;
 
@@ -63,18 +63,22 @@ class FileSystem {
   std::span<const std::filesystem::path> folders() const { return folders_; }
 
  private:
+  struct Range {
+    std::uint64_t offset = 0, size = 0;
+  };
   struct File {
     std::filesystem::path path;                 // on disk: the file, or the archive that it is in
-    std::size_t game = 0;                       // into folders_
-    std::uint64_t offset = 0, size = 0;         // in `path`; unused in a PK3
-    std::shared_ptr<const formats::Pk3> pk3{};  // null: the bytes lie in `path` as they are
+    std::optional<Range> range{};               // in a PAK: where
+    std::shared_ptr<const formats::Pk3> pk3{};  // in a PK3: which, and its place there
     std::size_t pk3_position = 0;
+    std::size_t game = 0;  // into folders_
   };
 
   base::Status mount_game(const std::filesystem::path& folder);
   base::Status mount_loose_files(const std::filesystem::path& folder);
-  base::Status mount_paks(const std::filesystem::path& folder);
-  base::Status mount_pk3s(const std::filesystem::path& folder);
+  base::Status mount_pak(const std::filesystem::path& path);
+  base::Status mount_pk3(const std::filesystem::path& path);
+  void add_file(std::string_view name, File file);
   const File* find(std::string_view name) const;
 
   std::vector<std::filesystem::path> folders_;

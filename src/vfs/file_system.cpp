@@ -1,0 +1,239 @@
+#include "vfs/file_system.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "base/text.h"
+#include "formats/archive.h"
+#include "formats/pak.h"
+
+namespace temblor::vfs {
+namespace {
+
+namespace fs = std::filesystem;
+using base::ErrorCode;
+
+constexpr std::string_view kFirstGame = "id1";
+
+struct FolderEntry {
+  std::string name;  // as on disk
+  fs::path path;
+  bool is_folder;
+};
+
+// What stands in a folder, in byte order of the names. Symbolic links to files count as files; links to
+// folders are left out, so that a walk cannot go round in circles.
+base::Result<std::vector<FolderEntry>> list_folder(const fs::path& folder) {
+  std::error_code error;
+  std::vector<FolderEntry> entries;
+  for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
+    std::error_code ignored;  // a link to nowhere is neither
+    const bool is_folder = i->is_directory(ignored) && !i->is_symlink(ignored);
+    if (is_folder || i->is_regular_file(ignored))
+      entries.push_back({i->path().filename().string(), i->path(), is_folder});
+  }
+  if (error) return base::Error{ErrorCode::kIo, error.message(), folder.string()};
+  std::sort(entries.begin(), entries.end(),
+            [](const FolderEntry& a, const FolderEntry& b) { return a.name < b.name; });
+  return entries;
+}
+
+// The folder `name` in base_folder, its case as it stands on disk.
+base::Result<fs::path> find_game_folder(const fs::path& base_folder, const std::string& name) {
+  if (!formats::is_contained_name(name) || name.find('/') != std::string::npos)
+    return base::error(ErrorCode::kUsage, "\"{}\" is not the name of a game folder", base::printable(name));
+  TRY(const std::vector<FolderEntry> entries, list_folder(base_folder));
+  const FolderEntry* found = nullptr;
+  for (const FolderEntry& entry : entries)
+    if (entry.is_folder && base::equal_ignoring_case(entry.name, name) && (!found || entry.name == name))
+      found = &entry;
+  // A game folder may itself be a link: it is looked for by its name, not walked into.
+  if (std::error_code ignored; !found && fs::is_directory(base_folder / name, ignored))
+    return base_folder / name;
+  if (!found)
+    return base::Error{ErrorCode::kNotFound,
+                       fmt::format("no game folder \"{}\" here; check --basedir and --game", name),
+                       base_folder.string()};
+  return found->path;
+}
+
+// pak0.pak, pak1.pak, ... up to the first number that is missing.
+std::vector<fs::path> find_paks(const std::vector<FolderEntry>& entries) {
+  std::vector<fs::path> paks;
+  for (const FolderEntry* found = nullptr;; paks.push_back(found->path)) {
+    const std::string wanted = fmt::format("pak{}.pak", paks.size());
+    found = nullptr;
+    for (const FolderEntry& entry : entries)
+      if (!entry.is_folder && base::equal_ignoring_case(entry.name, wanted)) found = &entry;
+    if (found == nullptr) return paks;
+  }
+}
+
+std::vector<fs::path> find_pk3s(const std::vector<FolderEntry>& entries) {
+  std::vector<std::pair<std::string, fs::path>> found;
+  for (const FolderEntry& entry : entries)
+    if (const std::string name = base::to_lower(entry.name); !entry.is_folder && name.ends_with(".pk3"))
+      found.emplace_back(name, entry.path);
+  std::sort(found.begin(), found.end());
+  std::vector<fs::path> pk3s;
+  for (auto& [name, path] : found) pk3s.push_back(std::move(path));
+  return pk3s;
+}
+
+}  // namespace
+
+std::optional<std::string> normalized_name(std::string_view name) {
+  std::string normalized = base::to_lower(name);
+  std::replace(normalized.begin(), normalized.end(), '\\', '/');
+  if (!formats::is_contained_name(normalized)) return std::nullopt;
+  return normalized;
+}
+
+base::Result<FileSystem> FileSystem::open(const fs::path& base_folder, std::span<const std::string> games) {
+  if (std::error_code ignored; !fs::is_directory(base_folder, ignored))
+    return base::Error{ErrorCode::kNotFound, "no such folder; --basedir names the folder that holds id1",
+                       base_folder.string()};
+  std::vector<std::string> names;
+  for (const std::string& game : games) {
+    if (base::equal_ignoring_case(game, kFirstGame)) continue;
+    // Named again, a game moves to the top.
+    std::erase_if(names, [&](const std::string& name) { return base::equal_ignoring_case(name, game); });
+    names.push_back(game);
+  }
+  names.insert(names.begin(), std::string(kFirstGame));
+  FileSystem files;
+  for (const std::string& name : names) {
+    TRY(const fs::path folder, find_game_folder(base_folder, name));
+    TRY_STATUS(files.mount_game(folder));
+  }
+  return files;
+}
+
+base::Status FileSystem::mount_game(const fs::path& folder) {
+  folders_.push_back(folder);
+  TRY_STATUS(mount_loose_files(folder));
+  TRY(const std::vector<FolderEntry> entries, list_folder(folder));
+  for (const fs::path& path : find_paks(entries)) TRY_STATUS(mount_pak(path));
+  for (const fs::path& path : find_pk3s(entries)) TRY_STATUS(mount_pk3(path));
+  return base::Ok{};
+}
+
+base::Status FileSystem::mount_loose_files(const fs::path& folder) {
+  struct Pending {
+    fs::path path;
+    std::string prefix;  // of the names of its files
+  };
+  std::vector<Pending> pending{{folder, ""}};
+  while (!pending.empty()) {
+    const Pending current = std::move(pending.back());
+    pending.pop_back();
+    TRY(const std::vector<FolderEntry> entries, list_folder(current.path));
+    // In byte order small letters come last: of names that differ in case only, the small one stays.
+    for (const FolderEntry& entry : entries) {
+      const std::string name = current.prefix + entry.name;
+      if (entry.is_folder)
+        pending.push_back({entry.path, name + '/'});
+      else
+        add_file(name, {.path = entry.path});
+    }
+  }
+  return base::Ok{};
+}
+
+base::Status FileSystem::mount_pak(const fs::path& path) {
+  TRY(const std::uint64_t archive_bytes, disk_file_size(path));
+  TRY(const base::ByteVector header_bytes,
+      read_disk_range(path, 0, std::min<std::uint64_t>(archive_bytes, formats::kPakHeaderBytes)));
+  TRY(const formats::PakHeader header,
+      formats::read_pak_header(header_bytes, archive_bytes).with_file(path.string()));
+  TRY(const base::ByteVector directory,
+      read_disk_range(path, header.directory_offset, header.directory_bytes));
+  TRY(std::vector<formats::PakEntry> entries,
+      formats::read_pak_directory(directory, archive_bytes).with_file(path.string()));
+  // Backwards: of entries with the same name the first one counts.
+  for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry)
+    add_file(entry->name, {.path = path, .range = Range{entry->offset, entry->size}});
+  return base::Ok{};
+}
+
+base::Status FileSystem::mount_pk3(const fs::path& path) {
+  TRY(base::ByteVector bytes, read_disk_file(path, kMaxPk3Bytes - pk3_bytes_));
+  pk3_bytes_ += bytes.size();
+  TRY(formats::Pk3 opened, formats::read_pk3(std::move(bytes)).with_file(path.string()));
+  const auto pk3 = std::make_shared<const formats::Pk3>(std::move(opened));
+  for (std::size_t i = 0; i < pk3->entries().size(); ++i)
+    add_file(pk3->entries()[i].name, {.path = path, .pk3 = pk3, .pk3_position = i});
+  return base::Ok{};
+}
+
+// A name that nobody can ask for (a PAK may hold any) is left out.
+void FileSystem::add_file(std::string_view name, File file) {
+  std::optional<std::string> normalized = normalized_name(name);
+  if (!normalized) return;
+  file.game = folders_.size() - 1;
+  files_.insert_or_assign(std::move(*normalized), std::move(file));
+}
+
+const FileSystem::File* FileSystem::find(std::string_view name) const {
+  const std::optional<std::string> normalized = normalized_name(name);
+  if (!normalized) return nullptr;
+  const auto found = files_.find(*normalized);
+  return found == files_.end() ? nullptr : &found->second;
+}
+
+base::Result<base::ByteVector> FileSystem::read(std::string_view name) const {
+  const File* file = find(name);
+  if (file == nullptr) {
+    std::vector<std::string> searched;
+    for (const fs::path& folder : folders_) searched.push_back(folder.string());
+    return base::Error{ErrorCode::kNotFound,
+                       fmt::format("not in {}; check the name, or add the game that has it with --game",
+                                   fmt::join(searched, " or ")),
+                       base::printable(name)};
+  }
+  if (!file->pk3 && !file->range) return read_disk_file(file->path);
+  const std::uint64_t size = file->pk3 ? file->pk3->entries()[file->pk3_position].size : file->range->size;
+  if (size > kMaxFileBytes)
+    return base::Error{ErrorCode::kTooLarge, fmt::format("{} bytes, the limit is {}", size, kMaxFileBytes),
+                       describe(name)};
+  if (file->pk3) return file->pk3->read(file->pk3_position).with_file(describe(name));
+  return read_disk_range(file->path, file->range->offset, file->range->size);
+}
+
+bool FileSystem::contains(std::string_view name) const {
+  return find(name) != nullptr;
+}
+
+std::string FileSystem::where(std::string_view name) const {
+  const File* file = find(name);
+  return file == nullptr ? std::string() : file->path.string();
+}
+
+std::string FileSystem::describe(std::string_view name) const {
+  const File* file = find(name);
+  if (file != nullptr && !file->pk3 && !file->range) return file->path.string();
+  const std::string shown = base::printable(name);
+  return file == nullptr ? shown : fmt::format("{} in {}", shown, file->path.string());
+}
+
+std::optional<std::size_t> FileSystem::game_of(std::string_view name) const {
+  const File* file = find(name);
+  if (file == nullptr) return std::nullopt;
+  return file->game;
+}
+
+std::vector<std::string> FileSystem::list(std::string_view prefix, std::string_view suffix) const {
+  const std::string wanted_prefix = base::to_lower(prefix);
+  const std::string wanted_suffix = base::to_lower(suffix);
+  std::vector<std::string> names;
+  for (auto i = files_.lower_bound(wanted_prefix); i != files_.end() && i->first.starts_with(wanted_prefix);
+       ++i)
+    if (i->first.ends_with(wanted_suffix)) names.push_back(i->first);
+  return names;
+}
+
+}  // namespace temblor::vfs
