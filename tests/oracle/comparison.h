@@ -1,0 +1,106 @@
+// Holds a drawn frame against the oracle, pixel by pixel, and counts.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "formats/palette.h"
+#include "oracle/camera_rays.h"
+#include "oracle/face_colour.h"
+#include "oracle/ray_scene.h"
+#include "render/frame.h"
+#include "render/renderer.h"
+#include "render/scene.h"
+
+namespace temblor::oracle {
+
+struct Tally {
+  std::uint64_t pixels = 0;
+  // The face: of `pixels`, each pixel is one of these.
+  std::uint64_t same_face = 0;
+  std::uint64_t tied = 0;       // another face at the same depth (coplanar faces of two models)
+  std::uint64_t near_edge = 0;  // the oracle sees the renderer's face within one pixel from here
+  std::uint64_t wrong_face = 0;
+  // The colour, where the faces agree and the definition says what it must be.
+  std::uint64_t colours = 0, right_colours = 0;
+  // 1/z, where the faces agree.
+  std::uint64_t depths = 0, right_depths = 0;
+  // The first few pixels that went wrong, one line each for a person.
+  static constexpr std::size_t kMostFindings = 12;
+  std::vector<std::string> findings;
+
+  double face_agreement() const { return share(same_face + tied, pixels); }
+  double colour_agreement() const { return share(right_colours, colours); }
+  double depth_agreement() const { return share(right_depths, depths); }
+  std::string summary() const;
+  void add(const Tally& other);
+
+ private:
+  static double share(std::uint64_t part, std::uint64_t whole) {
+    return whole == 0 ? 1 : static_cast<double>(part) / static_cast<double>(whole);
+  }
+};
+
+// What the eye's leaf may see: all that a renderer that trusts the PVS has to draw.
+class VisibleSet {
+ public:
+  // Everything: the PVS is off.
+  VisibleSet() = default;
+  VisibleSet(const world::Level& level, const math::Vec3& eye_world);
+
+  bool has_face(world::FaceIndex face) const { return everything_ || faces_[base::to_size(face)]; }
+  bool has_leaf(world::LeafIndex leaf) const;
+
+ private:
+  bool everything_ = true;
+  std::vector<bool> faces_;
+  std::vector<std::uint8_t> row_;
+};
+
+// One frame and all that its pixels depend on. What it is given must outlive it. The frame was drawn with
+// Settings.force_mip = 0, Show::kPicture and 1/z filled.
+class Comparison {
+ public:
+  struct Drawn {
+    const render::FrameBuffer& frame;
+    std::span<const render::PixelFace> pixel_faces;
+    const formats::Palette& palette;
+    const formats::Colormap& colormap;
+    bool use_pvs;
+  };
+  Comparison(const PreparedLevel& prepared, const render::Scene& scene, const Drawn& drawn);
+
+  void pixel(int x, int y, Tally& io_tally) const;
+  Tally whole_frame() const;
+
+ private:
+  std::optional<Hit> nearest(const Ray& ray) const;
+  bool accepts(const Ray& ray, const Hit& hit) const;
+  bool is_same(const std::optional<Hit>& hit, const render::PixelFace& drawn) const;
+  bool is_tied(const Ray& ray, const std::optional<Hit>& hit, const render::PixelFace& drawn) const;
+  bool seen_within_a_pixel(int x, int y, const render::PixelFace& drawn) const;
+  void judge_depth(int x, int y, const Hit& hit, Tally& io_tally) const;
+  void judge_colour(int x, int y, const Hit& hit, Tally& io_tally) const;
+  bool is_colour_of(std::size_t position, const Hit& hit, TexelPosition texel) const;
+  bool is_in_texture(std::size_t position, const Hit& hit) const;
+  math::Vec2d texture_position_at(double x_px, double y_px, const Hit& hit) const;
+  world::TextureIndex texture_of(const Hit& hit) const;
+  std::string describe(int x, int y, const std::optional<Hit>& hit, const render::PixelFace& drawn) const;
+
+  std::size_t position_of(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(drawn_.frame.width()) +
+           static_cast<std::size_t>(x);
+  }
+
+  const PreparedLevel& prepared_;
+  const world::Level& level_;
+  const render::Scene& scene_;
+  Drawn drawn_;
+  RayScene ray_scene_;
+  CameraRays rays_;
+  VisibleSet visible_;
+};
+
+}  // namespace temblor::oracle

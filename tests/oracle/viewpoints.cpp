@@ -1,0 +1,91 @@
+#include "oracle/viewpoints.h"
+
+#include <charconv>
+#include <optional>
+
+#include "base/check.h"
+#include "world/visibility.h"
+
+namespace temblor::oracle {
+namespace {
+
+constexpr double kMostMoved = 64;  // units
+
+bool is_open(const world::Leaf& leaf) {
+  return leaf.contents != world::Contents::kSolid && leaf.contents != world::Contents::kSky;
+}
+
+// "*12" -> 12, when the level has that model.
+std::optional<world::ModelIndex> brush_model_of(const world::Level& level, const formats::Entity& entity) {
+  const std::string_view model = entity.find("model").value_or("");
+  if (!model.starts_with('*')) return std::nullopt;
+  std::uint32_t number = 0;
+  std::from_chars(model.data() + 1, model.data() + model.size(), number);
+  if (number == 0 || number >= level.models.size()) return std::nullopt;
+  return world::ModelIndex{number};
+}
+
+// A leaf's bounds hold more than the leaf: tries points in them until one lies in it.
+std::optional<math::Vec3> point_in_leaf(const world::Level& level, world::LeafIndex index,
+                                        test::Random& io_random) {
+  constexpr int kAttempts = 64;
+  const math::Bounds& bounds = level.leaf(index).bounds;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    math::Vec3 point;
+    for (int axis = 0; axis < 3; ++axis)
+      point[axis] = static_cast<float>(io_random.uniform(bounds.mins[axis], bounds.maxs[axis]));
+    if (world::find_leaf(level, point) == index) return point;
+  }
+  return std::nullopt;
+}
+
+math::Vec3 random_open_point(const world::Level& level, test::Random& io_random) {
+  constexpr int kAttempts = 10000;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const auto index = base::to_index<world::LeafIndex>(1 + io_random.below(level.visible_leaf_count));
+    if (!is_open(level.leaf(index))) continue;
+    if (const auto point = point_in_leaf(level, index, io_random)) return *point;
+  }
+  CHECK(false, "level {} has no open leaf", level.name);
+}
+
+}  // namespace
+
+render::Scene Viewpoint::scene(const world::Level& level) const {
+  return {.level = &level,
+          .camera = camera,
+          .brush_models = brush_models,
+          .time_s = time_s,
+          .light_styles = world::light_style_values(world::standard_light_styles(), time_s)};
+}
+
+std::vector<render::BrushModelInstance> shown_brush_models(const world::Level& level) {
+  std::vector<render::BrushModelInstance> shown;
+  for (const formats::Entity& entity : level.entities) {
+    const auto model = brush_model_of(level, entity);
+    if (!model || entity.classname().starts_with("trigger_")) continue;
+    shown.push_back({.model = *model, .origin_world = entity.find_vec3("origin").value_or(math::Vec3(0.0f))});
+  }
+  return shown;
+}
+
+void displace(std::span<render::BrushModelInstance> io_brush_models, test::Random& io_random) {
+  for (render::BrushModelInstance& instance : io_brush_models) {
+    instance.origin_world += io_random.in_cube(kMostMoved);
+    if (io_random.below(3) == 0) instance.angles_deg.y = static_cast<float>(io_random.uniform(0, 360));
+  }
+}
+
+render::Camera random_camera(const world::Level& level, test::Random& io_random) {
+  render::Camera camera;
+  camera.origin_world = random_open_point(level, io_random);
+  const double pitch_range_deg = io_random.chance(0.7) ? 25 : 90;
+  const double pitch_deg = io_random.uniform(-pitch_range_deg, pitch_range_deg);
+  const double yaw_deg = io_random.uniform(0, 360);
+  const double roll_deg = io_random.chance(0.8) ? 0 : io_random.uniform(-180, 180);
+  camera.angles_deg = math::Vec3(math::Vec3d(pitch_deg, yaw_deg, roll_deg));
+  if (io_random.chance(0.2)) camera.fov_deg = static_cast<float>(io_random.uniform(10, 150));
+  return camera;
+}
+
+}  // namespace temblor::oracle

@@ -1,0 +1,33 @@
+// Random scenes of a level: eyes at random points of open leafs, brush models at their places or moved away.
+#pragma once
+
+#include <vector>
+
+#include "render/scene.h"
+#include "support/random.h"
+#include "world/level.h"
+
+namespace temblor::oracle {
+
+// Owns what a Scene only refers to.
+struct Viewpoint {
+  render::Camera camera;
+  std::vector<render::BrushModelInstance> brush_models;
+  double time_s = 0;
+
+  // Valid while this and the level live.
+  render::Scene scene(const world::Level& level) const;
+};
+
+// The brush models that a game would show, where the level has them: every entity with a model "*N", triggers
+// left out.
+std::vector<render::BrushModelInstance> shown_brush_models(const world::Level& level);
+
+// Moves every brush model by up to 64 units along each axis, and turns every third one about z.
+void displace(std::span<render::BrushModelInstance> io_brush_models, test::Random& io_random);
+
+// An eye in a random open leaf (each leaf as likely), looking anywhere, mostly level and upright, mostly with
+// a field of view of 90 degrees. CHECKs that the level has an open leaf.
+render::Camera random_camera(const world::Level& level, test::Random& io_random);
+
+}  // namespace temblor::oracle
