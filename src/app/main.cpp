@@ -3,6 +3,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/bench_command.h"
 #include "app/diagnostics.h"
 #include "app/options.h"
 #include "app/render_command.h"
@@ -25,7 +26,9 @@ Examples:
 struct Commands {
   CommonOptions common;
   RenderOptions render;
+  BenchOptions bench;
   CLI::App* render_command = nullptr;
+  CLI::App* bench_command = nullptr;
   CLI::App* settings_command = nullptr;
 };
 
@@ -36,6 +39,7 @@ void describe_command_line(CLI::App& program, Commands& io_commands) {
   program.fallthrough();  // --basedir and the like are understood after the command as well
   add_common_options(program, io_commands.common);
   io_commands.render_command = add_render_command(program, io_commands.render);
+  io_commands.bench_command = add_bench_command(program, io_commands.bench);
   io_commands.settings_command = add_settings_command(program);
 }
 
@@ -45,6 +49,10 @@ base::Status run(const Commands& commands) {
   if (commands.render_command->parsed()) {
     TRY_STATUS(apply_options(commands.common, commands.render.frame.threads, variables));
     return run_render(commands.render, commands.common.folders, render_settings.read(variables));
+  }
+  if (commands.bench_command->parsed()) {
+    TRY_STATUS(apply_options(commands.common, commands.bench.frame.threads, variables));
+    return run_bench(commands.bench, commands.common.folders, render_settings.read(variables));
   }
   TRY_STATUS(apply_options(commands.common, std::nullopt, variables));
   run_settings(variables);

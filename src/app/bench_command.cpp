@@ -1,0 +1,89 @@
+#include "app/bench_command.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/bench_report.h"
+#include "app/diagnostics.h"
+#include "app/level_loading.h"
+#include "app/measurement.h"
+#include "app/measurement_output.h"
+
+namespace temblor::app {
+namespace {
+
+constexpr const char* kHelpFooter =
+    R"(Stands at every player start, teleport destination and intermission camera of the level and turns a
+full circle. Everything is drawn once before it is timed. Beside each frame runs the floor: a plain loop that
+fills the frame from one texture; a frame's time in floors says little about the machine.
+--basedir, --game, --set and --show: see temblor --help.
+
+Examples:
+  temblor --basedir quake bench --map e1m1
+  temblor --basedir quake bench --map e1m1 --map e1m2 --size 1280x720 --color indexed --threads 1 --cold
+  temblor --basedir quake bench --map e1m1 --json > e1m1.json
+  temblor --basedir quake bench --report --map start > table.md
+  temblor bench)";
+
+MeasureOptions measure_options(const BenchOptions& options, const render::Settings& settings) {
+  MeasureOptions measure_options;
+  measure_options.size = options.frame.size;
+  measure_options.format = options.frame.format;
+  measure_options.fov_deg = options.frame.fov_deg;
+  measure_options.step_deg = options.step_deg;
+  measure_options.cold = options.cold;
+  measure_options.settings = settings;
+  return measure_options;
+}
+
+}  // namespace
+
+CLI::App* add_bench_command(CLI::App& program, BenchOptions& io_options) {
+  CLI::App* command = program.add_subcommand("bench", "Measures how fast levels are drawn");
+  command->add_option("--map", io_options.maps, "Level to draw; may be repeated; else one made in code")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->take_all();
+  add_frame_options(*command, io_options.frame);
+  command->add_option("--step", io_options.step_deg, "Turn between two views of a circle")
+      ->type_name("DEGREES")
+      ->check(CLI::Range(0.1, 360.0))
+      ->capture_default_str();
+  command->add_flag("--cold", io_options.cold, "Also times views whose surfaces are still to be built");
+  CLI::Option* json = command->add_flag("--json", io_options.json,
+                                        "Prints one JSON object, or a list of them for several levels");
+  command
+      ->add_flag("--report", io_options.report,
+                 "Prints the table of docs/performance.md instead (takes minutes; sizes, threads and formats "
+                 "are its own)")
+      ->excludes(json);
+  command->footer(kHelpFooter);
+  return command;
+}
+
+base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
+                       const render::Settings& settings) {
+  std::vector<std::string> maps = options.maps;
+  if (maps.empty()) maps.emplace_back();
+  if (options.report) print_report_header();
+  nlohmann::json results = nlohmann::json::array();
+  for (const std::string& map : maps) {
+    TRY(const LoadedMap loaded, load_map(folders, map));
+    for (const std::string& note : loaded.notes) print_note(note);
+    const std::string& name = loaded.level->name;
+    if (options.report) {
+      print_report(name, loaded, settings, options.step_deg);
+      continue;
+    }
+    const Measurement measurement = measure(loaded, measure_options(options, settings));
+    if (options.json)
+      results.push_back(json_of(name, measurement));
+    else
+      fmt::print("{}", describe_measurement(name, measurement));
+  }
+  if (options.json) fmt::print("{}\n", (results.size() == 1 ? results[0] : results).dump(2));
+  return base::Ok{};
+}
+
+}  // namespace temblor::app

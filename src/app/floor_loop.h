@@ -1,0 +1,13 @@
+// The floor that frame times are measured against: the least work that puts a textured pixel on the screen.
+#pragma once
+
+#include "render/frame.h"
+
+namespace temblor::app {
+
+// Fills the frame's pixels (not its depth) from one 256 x 256 surface with the plain scalar loop that anyone
+// would write: per row, texture coordinates in 16.16 that step by s += 40000, t += 3000 a pixel; one texel
+// read and one store for each. Compiled without vectorization.
+void fill_with_floor_loop(render::FrameBuffer& io_frame);
+
+}  // namespace temblor::app

@@ -1,0 +1,203 @@
+#include "app/measurement.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "app/allocation_counter.h"
+#include "app/floor_loop.h"
+#include "app/level_scene.h"
+#include "app/viewpoints.h"
+
+namespace temblor::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+template <typename Function>
+double time_ms(Function&& function) {
+  const Clock::time_point start = Clock::now();
+  function();
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// The views of one circle, starting with the viewpoint's own direction.
+std::vector<render::Camera> circle_views(const Viewpoint& viewpoint, float fov_deg, double step_deg) {
+  std::vector<render::Camera> views;
+  const auto count = static_cast<int>(std::ceil(360.0 / step_deg));
+  for (int i = 0; i < count; ++i) {
+    render::Camera camera;
+    camera.origin_world = viewpoint.eye_world;
+    camera.angles_deg = viewpoint.angles_deg;
+    camera.angles_deg.y += static_cast<float>(step_deg * i);
+    camera.fov_deg = fov_deg;
+    views.push_back(camera);
+  }
+  return views;
+}
+
+// What is drawn with, kept from pass to pass.
+class Bench {
+ public:
+  Bench(const LoadedMap& map, const MeasureOptions& options)
+      : options_(options),
+        palette_(map.look.palette),
+        level_scene_(make_level_scene(map.level)),
+        renderer_(map.look.palette, map.look.colormap),
+        frame_(options.size.width, options.size.height, options.format),
+        jobs_(options.settings.threads, options.settings.job_backend) {
+    for (const Viewpoint& viewpoint : all_viewpoints(*map.level))
+      circles_.push_back(circle_views(viewpoint, options.fov_deg, options.step_deg));
+    if (options.format == render::PixelFormat::kIndexed) window_.resize(frame_.pixel_count());
+  }
+
+  render::FrameStats draw(const render::Camera& camera) {
+    return renderer_.render(scene_at(level_scene_, camera, 0.0), options_.settings, frame_);
+  }
+  void present_frame() {
+    if (!window_.empty()) render::present(frame_, palette_, options_.settings.vector_kernels, jobs_, window_);
+  }
+  void run_floor() { fill_with_floor_loop(frame_); }
+  void drop_surfaces() { renderer_.drop_surfaces(); }
+  const std::vector<std::vector<render::Camera>>& circles() const { return circles_; }
+  std::size_t pixels() const { return frame_.pixel_count(); }
+
+ private:
+  const MeasureOptions& options_;
+  const formats::Palette& palette_;
+  LevelScene level_scene_;
+  render::Renderer renderer_;
+  render::FrameBuffer frame_;
+  base::Jobs jobs_;
+  std::vector<std::uint32_t> window_;  // empty where frames need no palette expansion
+  std::vector<std::vector<render::Camera>> circles_;
+};
+
+// Views whose surfaces are all still to be built, and the surfaces that a whole circle needs.
+void measure_cold(Bench& io_bench, Measurement& io_result) {
+  constexpr std::size_t kDirections = 4;
+  std::vector<double> cold_ms, circle_bytes;
+  for (const auto& circle : io_bench.circles()) {
+    for (std::size_t i = 0; i < kDirections; ++i) {
+      const render::Camera& camera = circle[i * circle.size() / kDirections];
+      io_bench.drop_surfaces();
+      cold_ms.push_back(time_ms([&] { io_bench.draw(camera); }));
+    }
+    render::FrameStats last;
+    for (const render::Camera& camera : circle) last = io_bench.draw(camera);
+    circle_bytes.push_back(static_cast<double>(last.cache_bytes));
+  }
+  io_result.cold_ms = distribution_of(std::move(cold_ms));
+  io_result.circle_cache_bytes = distribution_of(std::move(circle_bytes));
+}
+
+// Every measured frame's numbers, by kind.
+struct Samples {
+  std::vector<double> frame_ms, render_ms, present_ms, floor_ms;
+  std::vector<double> faces_in_pvs, faces_drawn, faces_seen, edges, spans, surfaces, texels_read;
+  std::array<double, render::kStages> stage_ms{}, stage_cycles{};  // sums
+
+  void reserve(std::size_t count) {
+    for (std::vector<double>* samples : {&frame_ms, &render_ms, &present_ms, &floor_ms, &faces_in_pvs,
+                                         &faces_drawn, &faces_seen, &edges, &spans, &surfaces, &texels_read})
+      samples->reserve(count);
+  }
+
+  void add(const render::FrameStats& stats) {
+    faces_in_pvs.push_back(stats.faces_in_pvs);
+    faces_drawn.push_back(stats.faces_drawn);
+    faces_seen.push_back(stats.faces_seen);
+    edges.push_back(stats.edges);
+    spans.push_back(stats.spans);
+    surfaces.push_back(stats.surfaces);
+    texels_read.push_back(static_cast<double>(stats.texels_read));
+    for (std::size_t stage = 0; stage < render::kStages; ++stage) {
+      stage_ms[stage] += stats.stage_ms[stage];
+      stage_cycles[stage] += stats.stage_cycles[stage];
+    }
+  }
+};
+
+// Draws every view once so that all is warm, then again with the clock running.
+Samples measure_warm(Bench& io_bench, Measurement& io_result) {
+  Samples samples;
+  std::size_t views = 0;
+  for (const auto& circle : io_bench.circles()) {
+    for (const render::Camera& camera : circle) io_bench.draw(camera);
+    views += circle.size();
+  }
+  samples.reserve(views);
+  for (const auto& circle : io_bench.circles()) {
+    for (const render::Camera& camera : circle) {
+      render::FrameStats stats;
+      const std::uint64_t allocations_before = allocation_count();
+      const double render_ms = time_ms([&] { stats = io_bench.draw(camera); });
+      const double present_ms = time_ms([&] { io_bench.present_frame(); });
+      const std::uint64_t allocations = allocation_count() - allocations_before;
+      io_result.most_allocations = std::max(io_result.most_allocations, allocations);
+      samples.render_ms.push_back(render_ms);
+      samples.present_ms.push_back(present_ms);
+      samples.frame_ms.push_back(render_ms + present_ms);
+      samples.floor_ms.push_back(time_ms([&] { io_bench.run_floor(); }));
+      samples.add(stats);
+      io_result.surfaces_built += stats.surfaces_built;
+      io_result.cache_bytes = stats.cache_bytes;
+    }
+  }
+  return samples;
+}
+
+}  // namespace
+
+Measurement measure(const LoadedMap& map, const MeasureOptions& options) {
+  Bench bench(map, options);
+  Measurement result;
+  result.options = options;
+  result.places = bench.circles().size();
+  if (options.cold) measure_cold(bench, result);
+  const Samples samples = measure_warm(bench, result);
+
+  result.frames = samples.frame_ms.size();
+  result.fps = 1000.0 / mean_of(samples.frame_ms);
+  result.frame_ms = distribution_of(samples.frame_ms);
+  result.render_ms = distribution_of(samples.render_ms);
+  result.present_ms = distribution_of(samples.present_ms);
+  result.floor_ms = distribution_of(samples.floor_ms);
+  result.faces_in_pvs = distribution_of(samples.faces_in_pvs);
+  result.faces_drawn = distribution_of(samples.faces_drawn);
+  result.faces_seen = distribution_of(samples.faces_seen);
+  result.edges = distribution_of(samples.edges);
+  result.spans = distribution_of(samples.spans);
+  result.surfaces = distribution_of(samples.surfaces);
+  result.texels_read = distribution_of(samples.texels_read);
+  const auto frames = static_cast<double>(result.frames);
+  const auto pixels = static_cast<double>(bench.pixels());
+  for (std::size_t stage = 0; stage < render::kStages; ++stage) {
+    result.stage_ms[stage] = samples.stage_ms[stage] / frames;
+    result.stage_cycles_per_pixel[stage] = samples.stage_cycles[stage] / (frames * pixels);
+  }
+  return result;
+}
+
+double floor_speedup_of_two_threads(FrameSize size, render::PixelFormat format) {
+  constexpr int kRounds = 20;
+  constexpr int kFillsPerRound = 8;  // long enough that starting a thread does not count
+  render::FrameBuffer first(size.width, size.height, format), second(size.width, size.height, format);
+  const auto fill = [](render::FrameBuffer& frame) {
+    for (int i = 0; i < kFillsPerRound; ++i) fill_with_floor_loop(frame);
+  };
+  fill(second);  // its pages are there before the clock runs
+  std::vector<double> alone_ms, together_ms;
+  for (int round = 0; round < kRounds; ++round) {
+    alone_ms.push_back(time_ms([&] { fill(first); }));
+    together_ms.push_back(time_ms([&] {
+      std::thread other([&] { fill(second); });
+      fill(first);
+      other.join();
+    }));
+  }
+  return 2.0 * distribution_of(alone_ms).p50 / distribution_of(together_ms).p50;
+}
+
+}  // namespace temblor::app

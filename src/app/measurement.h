@@ -1,0 +1,54 @@
+// Measures the renderer in a level: full circles at every viewpoint, timed frame by frame beside the floor
+// loop.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "app/distribution.h"
+#include "app/level_loading.h"
+#include "app/options.h"
+#include "render/renderer.h"
+
+namespace temblor::app {
+
+struct MeasureOptions {
+  FrameSize size{1920, 1080};
+  render::PixelFormat format = render::PixelFormat::kRgb;
+  float fov_deg = 90;
+  double step_deg = 5;  // from one view of a circle to the next
+  bool cold = false;    // also measure views whose surfaces are all still to be built
+  render::Settings settings;
+};
+
+// Medians over all warm frames unless said otherwise. Milliseconds of wall time.
+struct Measurement {
+  MeasureOptions options;
+  std::size_t places = 0;  // viewpoints of the level
+  std::size_t frames = 0;  // warm ones, measured
+  double fps = 0;          // frames / (time to render and present them)
+  Distribution frame_ms;   // render and present
+  Distribution render_ms;
+  Distribution present_ms;  // palette expansion; 0 for rgb, which a window takes as it is
+  Distribution floor_ms;
+  // Four views at each place, 90 degrees apart, all surfaces dropped before each; only with options.cold.
+  std::optional<Distribution> cold_ms;
+  // Bytes of surfaces after a whole circle at a place that began with none; only with options.cold.
+  std::optional<Distribution> circle_cache_bytes;
+  std::array<double, render::kStages> stage_ms{};                // means, so that they add up
+  std::array<double, render::kStages> stage_cycles_per_pixel{};  // means
+  Distribution faces_in_pvs, faces_drawn, faces_seen, edges, spans, surfaces, texels_read;
+  std::uint64_t cache_bytes = 0;       // in use at the end: all surfaces of all views
+  std::uint64_t surfaces_built = 0;    // in all warm frames together
+  std::uint64_t most_allocations = 0;  // of the warm frame that allocated most often
+};
+
+Measurement measure(const LoadedMap& map, const MeasureOptions& options);
+
+// How much faster two copies of the floor loop, each in a thread of its own, are than one: 2.0 on a machine
+// that really gives two cores.
+double floor_speedup_of_two_threads(FrameSize size, render::PixelFormat format);
+
+}  // namespace temblor::app
