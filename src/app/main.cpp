@@ -5,6 +5,7 @@
 
 #include "app/bench_command.h"
 #include "app/diagnostics.h"
+#include "app/inspect_command.h"
 #include "app/options.h"
 #include "app/render_command.h"
 #include "app/render_settings.h"
@@ -27,8 +28,10 @@ struct Commands {
   CommonOptions common;
   RenderOptions render;
   BenchOptions bench;
+  InspectOptions inspect;
   CLI::App* render_command = nullptr;
   CLI::App* bench_command = nullptr;
+  CLI::App* inspect_command = nullptr;
   CLI::App* settings_command = nullptr;
 };
 
@@ -40,6 +43,7 @@ void describe_command_line(CLI::App& program, Commands& io_commands) {
   add_common_options(program, io_commands.common);
   io_commands.render_command = add_render_command(program, io_commands.render);
   io_commands.bench_command = add_bench_command(program, io_commands.bench);
+  io_commands.inspect_command = add_inspect_command(program, io_commands.inspect);
   io_commands.settings_command = add_settings_command(program);
 }
 
@@ -55,6 +59,7 @@ base::Status run(const Commands& commands) {
     return run_bench(commands.bench, commands.common.folders, render_settings.read(variables));
   }
   TRY_STATUS(apply_options(commands.common, std::nullopt, variables));
+  if (commands.inspect_command->parsed()) return run_inspect(commands.inspect);
   run_settings(variables);
   return base::Ok{};
 }

@@ -1,0 +1,22 @@
+// `temblor inspect`: what a file holds, and what is wrong with it.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "base/result.h"
+
+namespace temblor::app {
+
+struct InspectOptions {
+  std::string file;
+  bool json = false;
+};
+
+CLI::App* add_inspect_command(CLI::App& program, InspectOptions& io_options);
+
+// Prints the inspection; a file that its reader refuses is an error (and with --json, an object with the key
+// "error" as well).
+base::Status run_inspect(const InspectOptions& options);
+
+}  // namespace temblor::app
