@@ -19,9 +19,8 @@ constexpr double kDepthSlackPixels = 1.0 / 128;
 constexpr double kDepthSlackRelative = 1e-5;
 
 constexpr double kDerivativeStepPixels = 1.0 / 64;
-constexpr double kFullLight = 128 * 256;       // 8.8 light that leaves an rgb colour as it is
-constexpr double kLightStep = 4 * 256;         // 8.8 light from one row of the colormap to the next
-constexpr std::size_t kFirstFullBright = 224;  // of a palette, unless its colormap says otherwise
+constexpr double kFullLight = 128 * 256;  // 8.8 light that leaves an rgb colour as it is
+constexpr double kLightStep = 4 * 256;    // 8.8 light from one row of the colormap to the next
 
 int channel_of(std::uint32_t rgb, std::size_t channel) {
   return static_cast<int>(rgb >> (16 - 8 * channel) & 0xff);
@@ -100,7 +99,7 @@ bool Comparison::is_colour_of(std::size_t position, const Hit& hit, TexelPositio
   const std::uint32_t drawn = drawn_.frame.rgb()[position];
   const formats::Rgb rgb = drawn_.palette[colour];
   const std::array<int, 3> channels = {rgb.r, rgb.g, rgb.b};
-  const bool shaded = lit && colour < kFirstFullBright;
+  const bool shaded = lit && colour < 256 - drawn_.colormap.fullbrights;
   const Light light = light_at(level_, face, scene_.light_styles, texel, LightColour::kRgb);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const auto shade = [&](double light_there) {

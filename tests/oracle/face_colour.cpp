@@ -28,6 +28,21 @@ GridPosition grid_position(std::int64_t texel, std::int32_t first_texel, std::in
           position - static_cast<double>(before)};
 }
 
+double light_of_sample(const world::Level& level, const world::Face& face,
+                       const world::LightStyleValues& styles, std::size_t column, std::size_t row,
+                       LightColour colour, std::size_t channel) {
+  const auto width = static_cast<std::size_t>(face.light_width());
+  const auto height = static_cast<std::size_t>(face.light_height());
+  const bool rgb = colour == LightColour::kRgb && !level.light_rgb.empty();
+  double sum = 0;
+  for (std::size_t style = 0; style < face.style_count; ++style) {
+    const std::size_t sample = face.light + (style * height + row) * width + column;
+    const double value = rgb ? level.light_rgb[sample * 3 + channel] : level.light[sample];
+    sum += value * styles[face.styles[style]];
+  }
+  return std::min(sum, kBrightest);
+}
+
 }  // namespace
 
 math::Vec2d texture_position(const world::Level& level, const world::Face& face,
@@ -46,21 +61,15 @@ Light light_at(const world::Level& level, const world::Face& face, const world::
                TexelPosition position, LightColour colour) {
   Light light{};
   if (face.light == world::kNoLight) return light;
-  const auto width = static_cast<std::size_t>(face.light_width());
-  const auto height = static_cast<std::size_t>(face.light_height());
   const GridPosition s = grid_position(position.s, face.texture_mins[0], face.light_width());
   const GridPosition t = grid_position(position.t, face.texture_mins[1], face.light_height());
-  const bool rgb = colour == LightColour::kRgb && !level.light_rgb.empty();
-  for (std::size_t style = 0; style < face.style_count; ++style) {
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      const auto sample = [&](std::size_t s_index, std::size_t t_index) {
-        const std::size_t index = face.light + (style * height + t_index) * width + s_index;
-        return static_cast<double>(rgb ? level.light_rgb[index * 3 + channel] : level.light[index]);
-      };
-      const double above = std::lerp(sample(s.before, t.before), sample(s.after, t.before), s.fraction);
-      const double below = std::lerp(sample(s.before, t.after), sample(s.after, t.after), s.fraction);
-      light[channel] += std::lerp(above, below, t.fraction) * styles[face.styles[style]];
-    }
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const auto sample = [&](std::size_t column, std::size_t row) {
+      return light_of_sample(level, face, styles, column, row, colour, channel);
+    };
+    const double above = std::lerp(sample(s.before, t.before), sample(s.after, t.before), s.fraction);
+    const double below = std::lerp(sample(s.before, t.after), sample(s.after, t.after), s.fraction);
+    light[channel] = std::lerp(above, below, t.fraction);
   }
   return light;
 }

@@ -22,11 +22,11 @@ struct TexelPosition {
 };
 std::uint8_t texel_at(const world::Texture& texture, TexelPosition position);
 
-// Red, green and blue light of a texel, 256 x sample x style value / 256 summed over the face's styles (8.8
-// fixed point, as a real number); all three alike for grey light. Between the samples, which lie 16 texels
-// apart and the first of them at the face's texture_mins, it is linear in s and in t; outside of them it is
-// that of the border. A face without samples is black: those that are drawn full-bright are of another
-// FaceKind.
+// Red, green and blue light of a texel in 8.8 fixed point, as real numbers; all three alike for grey light. A
+// sample of the light map gives sample x style value (256: as stored) summed over the face's styles, 255 x
+// 256 at most. Between the samples, which lie 16 texels apart and the first of them at the face's
+// texture_mins, light is linear in s and in t; outside of them it is that of the border. A face without
+// samples is black: those that are drawn full-bright are of another FaceKind.
 using Light = std::array<double, 3>;
 enum class LightColour { kGrey, kRgb };
 Light light_at(const world::Level& level, const world::Face& face, const world::LightStyleValues& styles,

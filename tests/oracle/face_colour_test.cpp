@@ -76,6 +76,13 @@ TEST(LightAt, SumsStyles) {
   EXPECT_DOUBLE_EQ(grey_light(level, styles_of(0, 264), 0, 0), 2 * 264);
 }
 
+TEST(LightAt, IsCutOffAtTheBrightestBeforeItIsInterpolated) {
+  const world::Level level = lit_level();
+  const auto styles = styles_of(256 * 10, 0);
+  EXPECT_DOUBLE_EQ(grey_light(level, styles, 0, 0), 255 * 256);
+  EXPECT_DOUBLE_EQ(grey_light(level, styles, -8, 0), (100 * 256 + 255 * 256) / 2.0);
+}
+
 TEST(LightAt, HasColour) {
   world::Level level = lit_level();
   const auto styles = styles_of(256, 0);

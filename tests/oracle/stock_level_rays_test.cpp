@@ -2,10 +2,11 @@
 // it is open. That holds the oracle's rays and faces against the level's tree, which they do not use.
 #include <gtest/gtest.h>
 
-#include "oracle/stock_levels.h"
-#include "oracle/viewpoints.h"
+#include "oracle/ray_scene.h"
+#include "support/drawable_level.h"
 #include "support/effort.h"
 #include "support/game_data.h"
+#include "support/viewpoints.h"
 #include "world/visibility.h"
 
 namespace temblor::oracle {
@@ -15,21 +16,22 @@ class StockLevelRays : public testing::TestWithParam<const char*> {};
 
 TEST_P(StockLevelRays, MeetAFaceBeforeAnythingSolid) {
   DATA_FOLDER_OR_SKIP(data);
-  const JudgedLevel judged = load_judged_level(data, GetParam());
-  const RayScene scene(judged.prepared, {});
+  const test::DrawableLevel drawable = test::stock_level(data, GetParam());
+  const world::Level& level = *drawable.level;
+  const PreparedLevel prepared(level);
+  const RayScene scene(prepared, {});
   test::Random random(1);
   int escaped = 0, from_solid = 0;
   const int rays = test::effort(100000, 5000);
   for (int i = 0; i < rays; ++i) {
-    const render::Camera camera = random_camera(*judged.level, random);
+    const render::Camera camera = test::random_camera(level, random);
     const Ray ray = CameraRays(camera, 1, 1).ray(0, 0);
     const auto hit = scene.nearest(ray, 0);
     if (!hit) {
       ++escaped;
       continue;
     }
-    const world::Contents before =
-        world::point_contents(*judged.level, math::Vec3(ray.at(hit->distance - 0.1)));
+    const world::Contents before = world::point_contents(level, math::Vec3(ray.at(hit->distance - 0.1)));
     if (hit->distance > 0.2 && before == world::Contents::kSolid) ++from_solid;
   }
   EXPECT_EQ(escaped, 0);

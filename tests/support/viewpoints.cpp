@@ -1,4 +1,4 @@
-#include "oracle/viewpoints.h"
+#include "support/viewpoints.h"
 
 #include <charconv>
 #include <optional>
@@ -6,7 +6,7 @@
 #include "base/check.h"
 #include "world/visibility.h"
 
-namespace temblor::oracle {
+namespace temblor::test {
 namespace {
 
 constexpr double kMostMoved = 64;  // units
@@ -27,7 +27,7 @@ std::optional<world::ModelIndex> brush_model_of(const world::Level& level, const
 
 // A leaf's bounds hold more than the leaf: tries points in them until one lies in it.
 std::optional<math::Vec3> point_in_leaf(const world::Level& level, world::LeafIndex index,
-                                        test::Random& io_random) {
+                                        Random& io_random) {
   constexpr int kAttempts = 64;
   const math::Bounds& bounds = level.leaf(index).bounds;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
@@ -39,7 +39,7 @@ std::optional<math::Vec3> point_in_leaf(const world::Level& level, world::LeafIn
   return std::nullopt;
 }
 
-math::Vec3 random_open_point(const world::Level& level, test::Random& io_random) {
+math::Vec3 random_open_point(const world::Level& level, Random& io_random) {
   constexpr int kAttempts = 10000;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const auto index = base::to_index<world::LeafIndex>(1 + io_random.below(level.visible_leaf_count));
@@ -69,14 +69,14 @@ std::vector<render::BrushModelInstance> shown_brush_models(const world::Level& l
   return shown;
 }
 
-void displace(std::span<render::BrushModelInstance> io_brush_models, test::Random& io_random) {
+void displace(std::span<render::BrushModelInstance> io_brush_models, Random& io_random) {
   for (render::BrushModelInstance& instance : io_brush_models) {
     instance.origin_world += io_random.in_cube(kMostMoved);
     if (io_random.below(3) == 0) instance.angles_deg.y = static_cast<float>(io_random.uniform(0, 360));
   }
 }
 
-render::Camera random_camera(const world::Level& level, test::Random& io_random) {
+render::Camera random_camera(const world::Level& level, Random& io_random) {
   render::Camera camera;
   camera.origin_world = random_open_point(level, io_random);
   const double pitch_range_deg = io_random.chance(0.7) ? 25 : 90;
@@ -88,4 +88,4 @@ render::Camera random_camera(const world::Level& level, test::Random& io_random)
   return camera;
 }
 
-}  // namespace temblor::oracle
+}  // namespace temblor::test

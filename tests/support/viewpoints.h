@@ -7,7 +7,7 @@
 #include "support/random.h"
 #include "world/level.h"
 
-namespace temblor::oracle {
+namespace temblor::test {
 
 // Owns what a Scene only refers to.
 struct Viewpoint {
@@ -24,10 +24,10 @@ struct Viewpoint {
 std::vector<render::BrushModelInstance> shown_brush_models(const world::Level& level);
 
 // Moves every brush model by up to 64 units along each axis, and turns every third one about z.
-void displace(std::span<render::BrushModelInstance> io_brush_models, test::Random& io_random);
+void displace(std::span<render::BrushModelInstance> io_brush_models, Random& io_random);
 
 // An eye in a random open leaf (each leaf as likely), looking anywhere, mostly level and upright, mostly with
 // a field of view of 90 degrees. CHECKs that the level has an open leaf.
-render::Camera random_camera(const world::Level& level, test::Random& io_random);
+render::Camera random_camera(const world::Level& level, Random& io_random);
 
-}  // namespace temblor::oracle
+}  // namespace temblor::test

@@ -1,0 +1,63 @@
+#include "oracle/judge_pictures.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <vector>
+
+#include "support/viewpoints.h"
+
+namespace temblor::oracle {
+namespace {
+
+constexpr int kWidth = 640, kHeight = 480, kPixelsPerView = 500;
+
+test::Viewpoint viewpoint_number(const world::Level& level, int number, test::Random& io_random) {
+  test::Viewpoint viewpoint{.camera = test::random_camera(level, io_random),
+                            .brush_models = test::shown_brush_models(level),
+                            .time_s = io_random.uniform(0, 100)};
+  if (number % 2 == 1) test::displace(viewpoint.brush_models, io_random);
+  return viewpoint;
+}
+
+}  // namespace
+
+Tally judge_pictures(const test::DrawableLevel& drawable, render::PixelFormat format, int views) {
+  const world::Level& level = *drawable.level;
+  const PreparedLevel prepared(level);
+  render::Renderer renderer(drawable.palette, drawable.colormap);
+  render::FrameBuffer frame(kWidth, kHeight, format);
+  std::vector<render::PixelFace> pixel_faces(frame.pixel_count());
+  std::vector<std::uint8_t> writes(frame.pixel_count());
+  Tally total;
+  for (int number = 0; number < views; ++number) {
+    test::Random random(static_cast<std::uint64_t>(number));
+    const test::Viewpoint viewpoint = viewpoint_number(level, number, random);
+    const render::Scene scene = viewpoint.scene(level);
+    const render::Settings settings{.force_mip = 0, .use_pvs = number % 4 < 2};
+    renderer.render(scene, settings, frame);
+    renderer.pixel_faces(pixel_faces, writes);
+    const Comparison comparison(prepared, scene,
+                                {frame, pixel_faces, drawable.palette, drawable.colormap, settings.use_pvs});
+    Tally view;
+    for (int i = 0; i < kPixelsPerView; ++i) {
+      const auto x = static_cast<int>(random.below(kWidth)), y = static_cast<int>(random.below(kHeight));
+      comparison.pixel(x, y, view);
+    }
+    if (view.wrong_face > 0)
+      ADD_FAILURE() << drawable.name << ", view " << number << ": " << view.summary()
+                    << "\nwhole: " << comparison.whole_frame().summary();
+    total.add(view);
+  }
+  std::cout << "[          ] " << drawable.name << ": " << total.summary() << "\n";
+  return total;
+}
+
+void expect_right(const Tally& tally) {
+  EXPECT_GE(tally.face_agreement(), 0.999);
+  EXPECT_EQ(tally.wrong_face, 0u);
+  EXPECT_GE(tally.colour_agreement(), 0.995);
+  EXPECT_GE(tally.depth_agreement(), 0.995);
+}
+
+}  // namespace temblor::oracle
