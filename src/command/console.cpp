@@ -1,0 +1,106 @@
+#include "command/console.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "base/text.h"
+#include "command/text.h"
+
+namespace temblor::command {
+
+Console::Console(Variables& io_variables, Output output)
+    : variables_(io_variables), output_(std::move(output)) {
+  CHECK(output_ != nullptr);
+  add_built_in_commands();
+}
+
+void Console::add_command(std::string_view name, std::string_view help, Command command) {
+  CHECK(command != nullptr, "{}", name);
+  const bool is_new =
+      commands_.emplace(base::to_lower(name), RegisteredCommand{std::string(help), std::move(command)})
+          .second;
+  CHECK(is_new, "{}", name);
+}
+
+bool Console::has_room_for(std::string_view text) const {
+  if (text_.size() - done_ + text.size() + 1 <= kMaxPendingChars) return true;
+  print(fmt::format("too many commands are waiting: {} characters refused", text.size()));
+  return false;
+}
+
+void Console::append(std::string_view text) {
+  if (has_room_for(text)) text_ += fmt::format("{}\n", text);
+}
+
+void Console::insert(std::string_view text) {
+  if (!has_room_for(text)) return;
+  text_.replace(0, done_, fmt::format("{}\n", text));
+  done_ = 0;
+}
+
+void Console::run() {
+  waiting_ = false;
+  expansions_ = 0;
+  while (has_pending() && !waiting_) {
+    const std::string_view pending = std::string_view(text_).substr(done_);
+    const std::string command(pending.substr(0, command_length(pending)));
+    done_ = std::min(done_ + command.size() + 1, text_.size());
+    execute(command);
+  }
+  text_.erase(0, done_);
+  done_ = 0;
+}
+
+void Console::execute(std::string_view command) {
+  const std::vector<std::string> words = split_words(command);
+  if (words.empty()) return;
+  const std::string name = base::to_lower(words[0]);
+  if (const auto found = commands_.find(name); found != commands_.end()) {
+    found->second.run(words);
+  } else if (const auto alias = aliases_.find(name); alias != aliases_.end()) {
+    if (may_expand(words[0])) insert(alias->second);
+  } else if (const Variable* variable = variables_.find(name); variable != nullptr) {
+    variable_command(*variable, words);
+  } else {
+    print(fmt::format("unknown command \"{}\"", words[0]));
+  }
+}
+
+bool Console::may_expand(std::string_view name) {
+  if (++expansions_ <= kMaxExpansions) return true;
+  print(fmt::format(
+      "\"{}\": more than {} aliases and files in a row, one must call itself; the rest is dropped", name,
+      kMaxExpansions));
+  text_.clear();
+  done_ = 0;
+  return false;
+}
+
+void Console::print_if_error(const base::Status& status) const {
+  if (!status.ok()) print(status.error().message());
+}
+
+void Console::variable_command(const Variable& variable, Arguments arguments) {
+  if (arguments.size() == 1)
+    print(fmt::format("\"{}\" is \"{}\"", variable.name, variable.text));
+  else
+    print_if_error(variables_.set(variable.name, arguments[1]));
+}
+
+std::vector<std::string> Console::complete(std::string_view prefix) const {
+  const std::string wanted = base::to_lower(prefix);
+  std::vector<std::string> names;
+  const auto add_if_wanted = [&](const std::string& name) {
+    if (base::to_lower(name).starts_with(wanted)) names.push_back(name);
+  };
+  for (const auto& [name, command] : commands_) add_if_wanted(name);
+  for (const auto& [name, text] : aliases_) add_if_wanted(name);
+  for (const Variable* variable : variables_.all()) add_if_wanted(variable->name);
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+}  // namespace temblor::command

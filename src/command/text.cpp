@@ -1,0 +1,71 @@
+#include "command/text.h"
+
+#include <algorithm>
+
+namespace temblor::command {
+namespace {
+
+bool is_space(char c) {
+  return static_cast<unsigned char>(c) <= ' ';
+}
+
+bool comment_starts(std::string_view text, std::size_t position) {
+  return text.substr(position, 2) == "//";
+}
+
+bool needs_quotes(std::string_view word) {
+  return word.empty() || word.find("//") != std::string_view::npos ||
+         std::any_of(word.begin(), word.end(), [](char c) { return is_space(c) || c == ';'; });
+}
+
+}  // namespace
+
+std::size_t command_length(std::string_view text) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n') return i;
+    if (text[i] == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (text[i] == ';') return i;
+    if (comment_starts(text, i)) return std::min(text.find('\n', i), text.size());
+  }
+  return text.size();
+}
+
+std::vector<std::string> split_words(std::string_view command) {
+  std::vector<std::string> words;
+  std::size_t i = 0;
+  while (i < command.size()) {
+    if (is_space(command[i])) {
+      ++i;
+      continue;
+    }
+    if (comment_starts(command, i)) break;
+    std::size_t begin = i, end = i;
+    if (command[i] == '"') {
+      begin = i + 1;
+      end = std::min(command.find('"', begin), command.size());
+      i = std::min(end + 1, command.size());
+    } else {
+      while (end < command.size() && !is_space(command[end]) && command[end] != '"' &&
+             !comment_starts(command, end))
+        ++end;
+      i = end;
+    }
+    words.emplace_back(command.substr(begin, end - begin));
+  }
+  return words;
+}
+
+std::string join_words(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    std::string plain = word;
+    std::erase_if(plain, [](char c) { return c == '"' || c == '\n'; });
+    if (!text.empty()) text += ' ';
+    text += needs_quotes(plain) ? '"' + plain + '"' : plain;
+  }
+  return text;
+}
+
+}  // namespace temblor::command

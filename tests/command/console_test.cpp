@@ -1,0 +1,238 @@
+#include "command/console.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+namespace temblor::command {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr std::array<std::string_view, 3> kColours = {"red", "green", "blue"};
+
+class ConsoleTest : public ::testing::Test {
+ protected:
+  ConsoleTest() {
+    variables_.add_int("sensitivity", 3, 0, 20, "How far the mouse turns.");
+    variables_.add_bool("crosshair", false, "Shows a cross.");
+    variables_.add_choice("colour", kColours, "A colour.");
+    console_.add_command("note", "Notes its words.", [this](Console::Arguments arguments) {
+      std::string line;
+      for (const std::string& word : arguments.subspan(1)) line += "[" + word + "]";
+      notes_.push_back(line);
+    });
+    console_.set_loader([this](std::string_view name) -> base::Result<std::string> {
+      const auto found = files_.find(name);
+      if (found == files_.end()) return base::error(base::ErrorCode::kNotFound, "no file {}", name);
+      return found->second;
+    });
+  }
+
+  void run(std::string_view text) {
+    console_.append(text);
+    console_.run();
+  }
+
+  Variables variables_;
+  std::vector<std::string> lines_, notes_;
+  std::map<std::string, std::string, std::less<>> files_;
+  Console console_{variables_, [this](std::string_view line) { lines_.emplace_back(line); }};
+};
+
+TEST_F(ConsoleTest, RunsCommandsInOrder) {
+  run("note one; note two words // no three\nNOTE \"quoted; text\"");
+  EXPECT_THAT(notes_, ElementsAre("[one]", "[two][words]", "[quoted; text]"));
+  EXPECT_THAT(lines_, IsEmpty());
+  EXPECT_FALSE(console_.has_pending());
+}
+
+TEST_F(ConsoleTest, NothingRunsBeforeRun) {
+  console_.append("note one");
+  EXPECT_THAT(notes_, IsEmpty());
+  EXPECT_TRUE(console_.has_pending());
+}
+
+TEST_F(ConsoleTest, AppendedTextsDoNotRunTogether) {
+  console_.append("note o");
+  console_.append("note two");
+  console_.run();
+  EXPECT_THAT(notes_, ElementsAre("[o]", "[two]"));
+}
+
+TEST_F(ConsoleTest, UnknownNamesGiveALine) {
+  run("fly high");
+  EXPECT_THAT(lines_, ElementsAre("unknown command \"fly\""));
+}
+
+TEST_F(ConsoleTest, VariablesAreShownAndSet) {
+  run("Sensitivity; sensitivity 7; sensitivity; set sensitivity 8; sensitivity 99; reset sensitivity");
+  EXPECT_THAT(lines_,
+              ElementsAre("\"sensitivity\" is \"3\"", "\"sensitivity\" is \"7\"", HasSubstr("0 to 20")));
+  EXPECT_EQ(variables_.find("sensitivity")->text, "3");
+}
+
+TEST_F(ConsoleTest, ToggleGoesThroughFixedValues) {
+  run("toggle crosshair; toggle colour");
+  EXPECT_EQ(variables_.find("crosshair")->text, "1");
+  EXPECT_EQ(variables_.find("colour")->text, "green");
+  run("toggle crosshair; toggle colour; toggle colour");
+  EXPECT_EQ(variables_.find("crosshair")->text, "0");
+  EXPECT_EQ(variables_.find("colour")->text, "red");
+  EXPECT_THAT(lines_, IsEmpty());
+  run("toggle sensitivity; toggle nothing; toggle");
+  EXPECT_EQ(lines_.size(), 3u);
+}
+
+TEST_F(ConsoleTest, WaitPutsTheRestOff) {
+  run("note 1; wait; note 2; wait; wait; note 3");
+  EXPECT_THAT(notes_, ElementsAre("[1]"));
+  console_.run();
+  EXPECT_THAT(notes_, ElementsAre("[1]", "[2]"));
+  console_.run();
+  EXPECT_EQ(notes_.size(), 2u);
+  console_.run();
+  EXPECT_THAT(notes_, ElementsAre("[1]", "[2]", "[3]"));
+  EXPECT_FALSE(console_.has_pending());
+}
+
+TEST_F(ConsoleTest, AliasesExpandInPlace) {
+  run("alias both \"note a; note b\"; note before; BOTH; note after");
+  EXPECT_THAT(notes_, ElementsAre("[before]", "[a]", "[b]", "[after]"));
+}
+
+TEST_F(ConsoleTest, AliasOfSeveralWordsKeepsItsQuotes) {
+  run("alias greet note \"good day\" you; greet");
+  EXPECT_THAT(notes_, ElementsAre("[good day][you]"));
+}
+
+TEST_F(ConsoleTest, AliasesMayUseEachOtherAndWait) {
+  run("alias inner \"note x; wait; note y\"; alias outer \"inner; note z\"; outer; note last");
+  EXPECT_THAT(notes_, ElementsAre("[x]"));
+  console_.run();
+  EXPECT_THAT(notes_, ElementsAre("[x]", "[y]", "[z]", "[last]"));
+}
+
+TEST_F(ConsoleTest, AliasesAreShownReplacedAndForgotten) {
+  run("alias a note 1; alias A note 2; alias a; alias; unalias a; a; alias a; unalias a");
+  EXPECT_THAT(lines_, ElementsAre("a: note 2", "a: note 2", "unknown command \"a\"",
+                                  "there is no alias \"a\"", "there is no alias \"a\""));
+}
+
+TEST_F(ConsoleTest, AliasesHideNothing) {
+  run("alias note \"echo hidden\"; alias sensitivity \"echo hidden\"; note 1; sensitivity");
+  EXPECT_THAT(notes_, ElementsAre("[1]"));
+  ASSERT_EQ(lines_.size(), 3u);
+  EXPECT_THAT(lines_[0], HasSubstr("cannot be an alias"));
+  EXPECT_THAT(lines_[1], HasSubstr("cannot be an alias"));
+  EXPECT_EQ(lines_[2], "\"sensitivity\" is \"3\"");
+}
+
+TEST_F(ConsoleTest, AliasesThatCallThemselvesEnd) {
+  for (const char* text : {"alias a a; a", "alias a \"a; a\"; a", "alias a b; alias b \"a; b\"; b"}) {
+    lines_.clear();
+    run(std::string(text) + "; note never");
+    ASSERT_EQ(lines_.size(), 1u) << text;
+    EXPECT_THAT(lines_[0], HasSubstr("call itself"));
+    EXPECT_THAT(notes_, IsEmpty()) << "the rest is dropped";
+    EXPECT_FALSE(console_.has_pending());
+  }
+  run("note alive");
+  EXPECT_THAT(notes_, ElementsAre("[alive]"));
+}
+
+TEST_F(ConsoleTest, AliasesThatWaitMayCallThemselvesForEver) {
+  run("alias loop \"note tick; wait; loop\"; loop");
+  for (int frame = 1; frame < 3 * Console::kMaxExpansions; ++frame) console_.run();
+  EXPECT_EQ(notes_.size(), 3u * Console::kMaxExpansions);
+  EXPECT_THAT(lines_, IsEmpty());
+}
+
+TEST_F(ConsoleTest, TooMuchTextIsRefused) {
+  console_.append("note kept");
+  console_.append(std::string(Console::kMaxPendingChars, 'x'));
+  EXPECT_EQ(lines_.size(), 1u);
+  console_.run();
+  EXPECT_THAT(notes_, ElementsAre("[kept]"));
+  EXPECT_EQ(lines_.size(), 1u);
+}
+
+TEST_F(ConsoleTest, ManyShortCommandsAreQuick) {
+  std::string text;
+  while (text.size() + 8 < Console::kMaxPendingChars) text += "wait\n;;;";
+  console_.append(text);
+  std::size_t runs = 0;
+  for (; console_.has_pending(); ++runs) console_.run();
+  EXPECT_EQ(runs, text.size() / 8 + 1) << "what follows the last wait is one more run";
+}
+
+TEST_F(ConsoleTest, ExecRunsAFileInPlace) {
+  files_["a.cfg"] = "note a // comment\nexec b.cfg\nnote c";
+  files_["b.cfg"] = "note b";
+  run("exec a.cfg; note d");
+  EXPECT_THAT(notes_, ElementsAre("[a]", "[b]", "[c]", "[d]"));
+}
+
+TEST_F(ConsoleTest, ExecOfAFileThatExecsItselfEnds) {
+  files_["a.cfg"] = "exec a.cfg";
+  run("exec a.cfg");
+  ASSERT_EQ(lines_.size(), 1u);
+  EXPECT_THAT(lines_[0], HasSubstr("a.cfg"));
+}
+
+TEST_F(ConsoleTest, ExecSaysWhatIsWrong) {
+  run("exec none.cfg; exec; exec a b");
+  ASSERT_EQ(lines_.size(), 3u);
+  EXPECT_EQ(lines_[0], "no file none.cfg");
+  console_.set_loader(nullptr);
+  run("exec a.cfg");
+  EXPECT_EQ(lines_.back(), "exec: there are no files here");
+}
+
+TEST_F(ConsoleTest, EchoHelpAndList) {
+  run("echo a  \"b  c\"; help note; help sensitivity; help nothing; help; list sens");
+  EXPECT_THAT(lines_, ElementsAre("a b  c", "Notes its words.",
+                                  "How far the mouse turns. Takes a whole number from 0 to 20; 3 by default.",
+                                  HasSubstr("nothing"), HasSubstr("help NAME"), "sensitivity"));
+}
+
+TEST_F(ConsoleTest, EveryCommandHasHelp) {
+  for (const std::string& name : console_.complete("")) {
+    lines_.clear();
+    run("help " + name);
+    ASSERT_EQ(lines_.size(), 1u) << name;
+    EXPECT_GT(lines_[0].size(), 10u) << name;
+  }
+}
+
+TEST_F(ConsoleTest, CompletesNamesOfEveryKind) {
+  run("alias setup note; alias other note");
+  EXPECT_THAT(console_.complete("SE"), ElementsAre("sensitivity", "set", "setup"));
+  EXPECT_THAT(console_.complete("zz"), IsEmpty());
+}
+
+TEST_F(ConsoleTest, CommandsMayAppendAndExecute) {
+  console_.add_command("twice", "Notes now and later.", [this](Console::Arguments) {
+    console_.append("note later");
+    console_.execute("note now");
+  });
+  run("twice; note between");
+  EXPECT_THAT(notes_, ElementsAre("[now]", "[between]", "[later]"));
+}
+
+TEST_F(ConsoleTest, TwoConsolesShareOnlyTheirVariables) {
+  std::vector<std::string> other_lines;
+  Console other(variables_, [&](std::string_view line) { other_lines.emplace_back(line); });
+  run("alias mine note; sensitivity 9");
+  other.append("mine; sensitivity");
+  other.run();
+  EXPECT_THAT(other_lines, ElementsAre("unknown command \"mine\"", "\"sensitivity\" is \"9\""));
+}
+
+}  // namespace
+}  // namespace temblor::command
