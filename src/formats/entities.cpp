@@ -104,7 +104,8 @@ bool read_numbers(std::string_view text, std::span<float> out_numbers) {
   const auto skip_space = [&] { at = std::find_if_not(at, end, is_space); };
   for (float& number : out_numbers) {
     skip_space();
-    if (at != end && *at == '+') ++at;
+    // from_chars knows no plus sign; and no number has two signs.
+    if (at != end && *at == '+' && ++at != end && *at == '-') return false;
     const auto [after, code] = std::from_chars(at, end, number);
     if (code != std::errc{} || !std::isfinite(number)) return false;
     at = after;
