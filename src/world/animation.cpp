@@ -11,6 +11,21 @@ constexpr std::size_t kTicksPerTextureFrame = 2;
 constexpr int kLightPerLetter = 22;
 constexpr std::uint16_t kNormalLight = 256;
 
+constexpr std::size_t kTestStyle = 63;
+constexpr std::array<std::string_view, 12> kStandardPatterns = {
+    "m",
+    "mmnmmommommnonmmonqnmmo",
+    "abcdefghijklmnopqrstuvwxyzyxwvutsrqponmlkjihgfedcba",
+    "mmmmmaaaaammmmmaaaaaabcdefgabcdefg",
+    "mamamamamama",
+    "jklmnopqrstuvwxyzyxwvutsrqponmlkj",
+    "nmonqnmomnmomomno",
+    "mmmaaaabcdefgmmmmaaaammmaamm",
+    "mmmaaammmaaammmabcdefaaaammmmabcdefmmmaaaa",
+    "aaaaaaaazzzzzzzz",
+    "mmamammmmammamamaaamammma",
+    "abcdefghijklmnopqrrqponmlkjihgfedcba"};
+
 // Which of `count` ticks it is, counted around from time 0. Stays exact for as long as a double tells tenths
 // of a second apart (over a million years).
 std::size_t tick_of(double time_s, std::size_t count) {
@@ -34,19 +49,8 @@ TextureIndex animated_texture(const Level& level, TextureIndex texture, double t
 
 LightStylePatterns standard_light_styles() {
   LightStylePatterns patterns;
-  patterns[0] = "m";
-  patterns[1] = "mmnmmommommnonmmonqnmmo";
-  patterns[2] = "abcdefghijklmnopqrstuvwxyzyxwvutsrqponmlkjihgfedcba";
-  patterns[3] = "mmmmmaaaaammmmmaaaaaabcdefgabcdefg";
-  patterns[4] = "mamamamamama";
-  patterns[5] = "jklmnopqrstuvwxyzyxwvutsrqponmlkj";
-  patterns[6] = "nmonqnmomnmomomno";
-  patterns[7] = "mmmaaaabcdefgmmmmaaaammmaamm";
-  patterns[8] = "mmmaaammmaaammmabcdefaaaammmmabcdefmmmaaaa";
-  patterns[9] = "aaaaaaaazzzzzzzz";
-  patterns[10] = "mmamammmmammamamaaamammma";
-  patterns[11] = "abcdefghijklmnopqrrqponmlkjihgfedcba";
-  patterns[63] = "a";
+  for (std::size_t i = 0; i < kStandardPatterns.size(); ++i) patterns[i] = std::string(kStandardPatterns[i]);
+  patterns[kTestStyle] = std::string(1, 'a');
   return patterns;
 }
 
