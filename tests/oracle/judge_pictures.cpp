@@ -12,27 +12,30 @@ namespace {
 
 constexpr int kWidth = 640, kHeight = 480, kPixelsPerView = 500;
 
-test::Viewpoint viewpoint_number(const world::Level& level, int number, test::Random& io_random) {
+test::Viewpoint viewpoint_number(const world::Level& level, render::Projection projection, int number,
+                                 test::Random& io_random) {
   test::Viewpoint viewpoint{.camera = test::random_camera(level, io_random),
                             .brush_models = test::shown_brush_models(level),
                             .time_s = io_random.uniform(0, 100)};
+  viewpoint.camera.projection = projection;
+  viewpoint.camera.units_per_pixel = static_cast<float>(io_random.log_uniform(0.1, 5));
   if (number % 2 == 1) test::displace(viewpoint.brush_models, io_random);
   return viewpoint;
 }
 
 }  // namespace
 
-Tally judge_pictures(const test::DrawableLevel& drawable, render::PixelFormat format, int views) {
+Tally judge_pictures(const test::DrawableLevel& drawable, const Pictures& pictures) {
   const world::Level& level = *drawable.level;
   const PreparedLevel prepared(level);
   render::Renderer renderer(drawable.palette, drawable.colormap);
-  render::FrameBuffer frame(kWidth, kHeight, format);
+  render::FrameBuffer frame(kWidth, kHeight, pictures.format);
   std::vector<render::PixelFace> pixel_faces(frame.pixel_count());
   std::vector<std::uint8_t> writes(frame.pixel_count());
   Tally total;
-  for (int number = 0; number < views; ++number) {
+  for (int number = 0; number < pictures.views; ++number) {
     test::Random random(static_cast<std::uint64_t>(number));
-    const test::Viewpoint viewpoint = viewpoint_number(level, number, random);
+    const test::Viewpoint viewpoint = viewpoint_number(level, pictures.projection, number, random);
     const render::Scene scene = viewpoint.scene(level);
     const render::Settings settings{.force_mip = 0, .use_pvs = number % 4 < 2};
     renderer.render(scene, settings, frame);

@@ -21,7 +21,16 @@ class StockLevelPicture : public testing::TestWithParam<StockCase> {};
 TEST_P(StockLevelPicture, IsWhatRaysSee) {
   DATA_FOLDER_OR_SKIP(data);
   const auto& [map_name, format] = GetParam();
-  expect_right(judge_pictures(test::stock_level(data, map_name), format, test::effort(200, 10)));
+  expect_right(
+      judge_pictures(test::stock_level(data, map_name), {.format = format, .views = test::effort(200, 10)}));
+}
+
+TEST_P(StockLevelPicture, IsWhatParallelRaysSee) {
+  DATA_FOLDER_OR_SKIP(data);
+  const auto& [map_name, format] = GetParam();
+  expect_right(judge_pictures(
+      test::stock_level(data, map_name),
+      {.format = format, .projection = render::Projection::kOrthographic, .views = test::effort(40, 2)}));
 }
 
 constexpr auto kFormats = {render::PixelFormat::kIndexed, render::PixelFormat::kRgb};
@@ -38,8 +47,8 @@ class SmallLevelPicture : public testing::TestWithParam<SmallCase> {};
 
 TEST_P(SmallLevelPicture, IsWhatRaysSee) {
   const auto& [variant, format] = GetParam();
-  expect_right(
-      judge_pictures(test::small_level(variant.options, variant.name), format, test::effort(100, 4)));
+  expect_right(judge_pictures(test::small_level(variant.options, variant.name),
+                              {.format = format, .views = test::effort(100, 4)}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Variants, SmallLevelPicture,

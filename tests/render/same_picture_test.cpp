@@ -1,0 +1,210 @@
+// What a picture does not depend on: threads, kernels, the cache and what it holds, how the frame is cut into
+// bands.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/renderer.h"
+#include "support/drawable_level.h"
+#include "support/effort.h"
+#include "support/frames.h"
+#include "support/game_data.h"
+#include "support/viewpoints.h"
+
+namespace temblor::test {
+namespace {
+
+constexpr int kViews = effort(12, 2);
+constexpr int kWidth = effort(333, 133),
+              kHeight = effort(211, 67);  // not multiples of what kernels, bands and blocks work in
+
+struct NamedSettings {
+  std::string name;
+  render::Settings settings;
+};
+
+std::vector<NamedSettings> settings_of_one_picture() {
+  std::vector<NamedSettings> all;
+  const auto add = [&](const std::string& name, auto set) {
+    set(all.emplace_back(NamedSettings{name, {}}).settings);
+  };
+  for (const int threads : {2, 8}) {
+    for (const base::JobBackend backend : {base::JobBackend::kOneTbb, base::JobBackend::kStdThread})
+      add(fmt::format("{} threads of {}", threads, backend == base::JobBackend::kOneTbb ? "oneTBB" : "std"),
+          [&](render::Settings& settings) {
+            settings.threads = threads;
+            settings.job_backend = backend;
+          });
+  }
+  for (const int rows : {1, 7, 64, kHeight})
+    add(fmt::format("bands of {} rows", rows),
+        [&](render::Settings& settings) { settings.band_rows = rows; });
+  for (const std::size_t bytes : {std::size_t{0}, std::size_t{20000}, std::size_t{1} << 20})
+    add(fmt::format("a cache of {} bytes", bytes),
+        [&](render::Settings& settings) { settings.cache_bytes = bytes; });
+  add("plain kernels", [](render::Settings& settings) { settings.vector_kernels = false; });
+  add("no cache", [](render::Settings& settings) { settings.surface_cache = false; });
+  add("no occlusion cull", [](render::Settings& settings) { settings.occlusion_cull = false; });
+  add("all of it", [](render::Settings& settings) {
+    settings.threads = 8;
+    settings.band_rows = 7;
+    settings.cache_bytes = 20000;
+    settings.vector_kernels = settings.occlusion_cull = false;
+  });
+  return all;
+}
+
+Viewpoint viewpoint_number(const world::Level& level, int number) {
+  Random random(static_cast<std::uint64_t>(number));
+  Viewpoint viewpoint{.camera = random_camera(level, random),
+                      .brush_models = shown_brush_models(level),
+                      .time_s = random.uniform(0, 100)};
+  if (number % 2 == 1) displace(viewpoint.brush_models, random);
+  if (number % 5 == 4) viewpoint.camera.projection = render::Projection::kOrthographic;
+  return viewpoint;
+}
+
+// Draws with `io_renderer`, into a frame that holds nonsense before.
+FrameCopy draw(render::Renderer& io_renderer, const render::Scene& scene, const render::Settings& settings,
+               render::PixelFormat format) {
+  render::FrameBuffer frame(kWidth, kHeight, format);
+  fill_frame(frame, 0x5a);
+  io_renderer.render(scene, settings, frame);
+  return copy_of(frame);
+}
+
+FrameCopy draw_cold(const DrawableLevel& drawable, const render::Scene& scene,
+                    const render::Settings& settings, render::PixelFormat format) {
+  render::Renderer renderer(drawable.palette, drawable.colormap);
+  return draw(renderer, scene, settings, format);
+}
+
+void expect_same(const FrameCopy& expected, const FrameCopy& drawn, const std::string& what) {
+  EXPECT_TRUE(expected == drawn) << what << ": " << differing_pixels(expected, drawn) << " pixels differ";
+}
+
+constexpr auto kFormats = {render::PixelFormat::kIndexed, render::PixelFormat::kRgb};
+
+void expect_independent_of_settings(const DrawableLevel& drawable) {
+  const std::vector<NamedSettings> all = settings_of_one_picture();
+  // One renderer for each, kept from view to view, as a game would.
+  std::vector<render::Renderer> renderers;
+  for (std::size_t i = 0; i < all.size(); ++i) renderers.emplace_back(drawable.palette, drawable.colormap);
+  for (int number = 0; number < kViews; ++number) {
+    const Viewpoint viewpoint = viewpoint_number(*drawable.level, number);
+    const render::Scene scene = viewpoint.scene(*drawable.level);
+    for (const render::PixelFormat format : kFormats) {
+      for (const auto perspective : {render::Perspective::kExact, render::Perspective::kEvery16}) {
+        const FrameCopy expected = draw_cold(drawable, scene, {.perspective = perspective}, format);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+          render::Settings settings = all[i].settings;
+          settings.perspective = perspective;
+          expect_same(expected, draw(renderers[i], scene, settings, format),
+                      fmt::format("{}, view {}, {}", drawable.name, number, all[i].name));
+        }
+      }
+    }
+  }
+}
+
+// Forwards, backwards, and after the surfaces are dropped: always the picture of a renderer that has seen
+// nothing else.
+void expect_independent_of_history(const DrawableLevel& drawable) {
+  for (const render::PixelFormat format : kFormats) {
+    std::vector<Viewpoint> viewpoints;
+    std::vector<FrameCopy> expected;
+    for (int number = 0; number < kViews; ++number) {
+      viewpoints.push_back(viewpoint_number(*drawable.level, number));
+      expected.push_back(draw_cold(drawable, viewpoints.back().scene(*drawable.level), {}, format));
+    }
+    render::Renderer renderer(drawable.palette, drawable.colormap);
+    const auto check = [&](std::size_t number, const char* when) {
+      const FrameCopy drawn = draw(renderer, viewpoints[number].scene(*drawable.level), {}, format);
+      expect_same(expected[number], drawn, fmt::format("{}, view {}, {}", drawable.name, number, when));
+    };
+    for (std::size_t number = 0; number < viewpoints.size(); ++number) {
+      check(number, "after those before it");
+      check(number, "again");
+    }
+    for (std::size_t number = viewpoints.size(); number-- > 0;) check(number, "after those behind it");
+    renderer.drop_surfaces();
+    check(0, "after the surfaces were dropped");
+  }
+}
+
+class SmallLevelSamePicture : public testing::TestWithParam<SmallLevelVariant> {
+ protected:
+  const DrawableLevel drawable_ = small_level(GetParam().options, GetParam().name);
+};
+TEST_P(SmallLevelSamePicture, WithAllSettings) {
+  expect_independent_of_settings(drawable_);
+}
+TEST_P(SmallLevelSamePicture, AfterAnything) {
+  expect_independent_of_history(drawable_);
+}
+INSTANTIATE_TEST_SUITE_P(Variants, SmallLevelSamePicture, testing::ValuesIn(small_level_variants()),
+                         [](const auto& test) { return test.param.name; });
+
+class StockLevelSamePicture : public testing::TestWithParam<const char*> {};
+TEST_P(StockLevelSamePicture, WithAllSettings) {
+  DATA_FOLDER_OR_SKIP(data);
+  expect_independent_of_settings(stock_level(data, GetParam()));
+}
+TEST_P(StockLevelSamePicture, AfterAnything) {
+  DATA_FOLDER_OR_SKIP(data);
+  expect_independent_of_history(stock_level(data, GetParam()));
+}
+INSTANTIATE_TEST_SUITE_P(Levels, StockLevelSamePicture, testing::Values("start", "lq_e0m1", "lq_e1m2"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST(SamePicture, AfterALightStyleChanged) {
+  const DrawableLevel drawable = small_level({.four_styles = true});
+  const Viewpoint viewpoint = viewpoint_number(*drawable.level, 0);
+  render::Scene bright = viewpoint.scene(*drawable.level), dark = bright;
+  bright.light_styles.fill(300);
+  dark.light_styles.fill(40);
+  for (const render::PixelFormat format : kFormats) {
+    const FrameCopy expected_bright = draw_cold(drawable, bright, {}, format);
+    const FrameCopy expected_dark = draw_cold(drawable, dark, {}, format);
+    ASSERT_FALSE(expected_bright == expected_dark);
+    render::Renderer renderer(drawable.palette, drawable.colormap);
+    expect_same(expected_bright, draw(renderer, bright, {}, format), "bright");
+    expect_same(expected_dark, draw(renderer, dark, {}, format), "dark after bright");
+    expect_same(expected_bright, draw(renderer, bright, {}, format), "bright after dark");
+  }
+}
+
+TEST(SamePicture, AfterTheSettingsOfAnother) {
+  const DrawableLevel drawable = small_level({.coloured_light = true});
+  const Viewpoint viewpoint = viewpoint_number(*drawable.level, 0);
+  const render::Scene scene = viewpoint.scene(*drawable.level);
+  const render::Settings others[] = {
+      {.mip_rule = render::MipRule::kStock}, {.force_mip = 2}, {.coloured_light = false}, {.use_pvs = false}};
+  for (const render::PixelFormat format : kFormats) {
+    render::Renderer renderer(drawable.palette, drawable.colormap);
+    const FrameCopy expected = draw_cold(drawable, scene, {}, format);
+    for (const render::Settings& other : others) {
+      const FrameCopy expected_other = draw_cold(drawable, scene, other, format);
+      expect_same(expected_other, draw(renderer, scene, other, format), "another's settings");
+      expect_same(expected, draw(renderer, scene, {}, format), "after another's settings");
+    }
+  }
+}
+
+// A level may be gone, and the next one lie where it lay: nothing of the first may show.
+TEST(SamePicture, AfterALevelThatIsGone) {
+  const DrawableLevel first_look = small_level();
+  render::Renderer renderer(first_look.palette, first_look.colormap);
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const DrawableLevel drawable = small_level({.coloured_light = seed % 2 == 0, .seed = seed});
+    const Viewpoint viewpoint = viewpoint_number(*drawable.level, 0);
+    const render::Scene scene = viewpoint.scene(*drawable.level);
+    const FrameCopy expected = draw_cold(drawable, scene, {}, render::PixelFormat::kRgb);
+    expect_same(expected, draw(renderer, scene, {}, render::PixelFormat::kRgb), fmt::format("seed {}", seed));
+  }
+}
+
+}  // namespace
+}  // namespace temblor::test

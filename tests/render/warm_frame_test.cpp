@@ -1,0 +1,93 @@
+// A warm frame asks the heap for nothing: this program counts every operator new.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "render/renderer.h"
+#include "support/drawable_level.h"
+#include "support/game_data.h"
+#include "support/viewpoints.h"
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+void* counted_allocation(std::size_t bytes, std::size_t alignment) {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+  if (memory == nullptr) std::abort();
+  return memory;
+}
+
+constexpr std::size_t kOrdinaryAlignment = 16;
+
+}  // namespace
+
+void* operator new(std::size_t bytes) {
+  return counted_allocation(bytes, kOrdinaryAlignment);
+}
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  return counted_allocation(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+namespace temblor::test {
+namespace {
+
+void expect_no_allocation(const DrawableLevel& drawable, const render::Settings& settings) {
+  constexpr int kViews = 10;
+  std::vector<Viewpoint> viewpoints;
+  for (int number = 0; number < kViews; ++number) {
+    Random random(static_cast<std::uint64_t>(number));
+    viewpoints.push_back({.camera = random_camera(*drawable.level, random),
+                          .brush_models = shown_brush_models(*drawable.level),
+                          .time_s = 1});
+  }
+  for (const render::PixelFormat format : {render::PixelFormat::kIndexed, render::PixelFormat::kRgb}) {
+    render::Renderer renderer(drawable.palette, drawable.colormap);
+    render::FrameBuffer frame(320, 200, format);
+    const auto draw_all = [&] {
+      std::size_t while_drawing = 0;
+      for (const Viewpoint& viewpoint : viewpoints) {
+        const render::Scene scene = viewpoint.scene(*drawable.level);
+        const std::size_t before = allocations.load();
+        renderer.render(scene, settings, frame);
+        while_drawing += allocations.load() - before;
+      }
+      return while_drawing;
+    };
+    // A frame larger than any before lets memory grow, and the next one of that size settles it.
+    EXPECT_GT(draw_all(), 0u) << "the first frames must allocate, or nothing is counted";
+    draw_all();
+    EXPECT_EQ(draw_all(), 0u) << drawable.name;
+  }
+}
+
+TEST(WarmFrame, OfTheSmallLevelAllocatesNothing) {
+  expect_no_allocation(small_level(), {});
+}
+
+TEST(WarmFrame, OnTwoThreadsAllocatesNothing) {
+  expect_no_allocation(small_level(), {.threads = 2, .job_backend = base::JobBackend::kStdThread});
+}
+
+TEST(WarmFrame, OfAStockLevelAllocatesNothing) {
+  DATA_FOLDER_OR_SKIP(data);
+  expect_no_allocation(stock_level(data, "lq_e0m1"), {});
+}
+
+}  // namespace
+}  // namespace temblor::test
