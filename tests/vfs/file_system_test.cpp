@@ -1,0 +1,304 @@
+#include "vfs/file_system.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "formats/pak.h"
+#include "support/game_data.h"
+#include "support/temporary_folder.h"
+
+namespace temblor::vfs {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+namespace fs = std::filesystem;
+
+struct TextFile {
+  std::string name, text;
+};
+
+std::vector<formats::ArchiveFile> as_archive_files(const std::vector<TextFile>& files) {
+  std::vector<formats::ArchiveFile> archived;
+  for (const TextFile& file : files) archived.push_back({file.name, base::as_bytes(file.text)});
+  return archived;
+}
+
+base::ByteVector pak_of(const std::vector<TextFile>& files) {
+  return formats::write_pak(as_archive_files(files)).value();
+}
+
+base::ByteVector pk3_of(const std::vector<TextFile>& files) {
+  return formats::write_pk3(as_archive_files(files)).value();
+}
+
+FileSystem open_or_die(const test::TemporaryFolder& base_folder, const std::vector<std::string>& games = {}) {
+  return FileSystem::open(base_folder.path(), games).value();
+}
+
+std::string text_of(const FileSystem& files, std::string_view name) {
+  const auto bytes = files.read(name);
+  return bytes.ok() ? std::string(base::as_text(*bytes)) : bytes.error().message();
+}
+
+TEST(NormalizedName, IsLowerCaseWithSlashes) {
+  EXPECT_EQ(normalized_name("Maps\\START.bsp"), "maps/start.bsp");
+  EXPECT_EQ(normalized_name("a"), "a");
+}
+
+TEST(NormalizedName, RefusesWhatLeadsOutside) {
+  for (const char* name : {"", "/a", "\\a", "..", "a/../b", "a\\..\\b", "c:\\a", "a//b", "a/"})
+    EXPECT_EQ(normalized_name(name), std::nullopt) << name;
+}
+
+TEST(FileSystem, ReadsALooseFile) {
+  const test::TemporaryFolder base_folder;
+  const fs::path path = base_folder.write("id1/maps/start.bsp", "level");
+  const FileSystem files = open_or_die(base_folder);
+  EXPECT_EQ(text_of(files, "maps/start.bsp"), "level");
+  EXPECT_TRUE(files.contains("maps/start.bsp"));
+  EXPECT_EQ(files.where("maps/start.bsp"), path.string());
+  EXPECT_EQ(files.describe("maps/start.bsp"), path.string());
+  EXPECT_EQ(files.game_of("maps/start.bsp"), 0u);
+}
+
+TEST(FileSystem, CaseDoesNotMatter) {
+  const test::TemporaryFolder base_folder;
+  base_folder.write("ID1/Maps/Start.BSP", "loose");
+  base_folder.write("ID1/PAK0.PAK", pak_of({{"GFX/Palette.lmp", "packed"}}));
+  const FileSystem files = open_or_die(base_folder);
+  EXPECT_EQ(text_of(files, "maps/start.bsp"), "loose");
+  EXPECT_EQ(text_of(files, "MAPS\\START.BSP"), "loose");
+  EXPECT_EQ(text_of(files, "gfx/palette.lmp"), "packed");
+}
+
+TEST(FileSystem, OfNamesThatDifferInCaseTheSmallOneCounts) {
+  const test::TemporaryFolder base_folder;
+  base_folder.write("id1/README.TXT", "large");
+  base_folder.write("id1/readme.txt", "small");
+  base_folder.write("id1/Readme.txt", "mixed");
+  EXPECT_EQ(text_of(open_or_die(base_folder), "ReadMe.txt"), "small");
+}
+
+TEST(FileSystem, LaterArchivesHideEarlierOnesAndLooseFiles) {
+  const test::TemporaryFolder base_folder;
+  for (const char* name : {"id1/a", "id1/b", "id1/c", "id1/d", "id1/e"}) base_folder.write(name, "loose");
+  base_folder.write("id1/pak0.pak", pak_of({{"b", "pak0"}, {"c", "pak0"}, {"d", "pak0"}, {"e", "pak0"}}));
+  base_folder.write("id1/pak1.pak", pak_of({{"c", "pak1"}, {"d", "pak1"}, {"e", "pak1"}}));
+  base_folder.write("id1/alpha.pk3", pk3_of({{"d", "alpha"}, {"e", "alpha"}}));
+  base_folder.write("id1/Beta.pk3", pk3_of({{"e", "beta"}}));
+  const FileSystem files = open_or_die(base_folder);
+  EXPECT_EQ(text_of(files, "a"), "loose");
+  EXPECT_EQ(text_of(files, "b"), "pak0");
+  EXPECT_EQ(text_of(files, "c"), "pak1");
+  EXPECT_EQ(text_of(files, "d"), "alpha");
+  EXPECT_EQ(text_of(files, "e"), "beta");
+  EXPECT_EQ(files.where("c"), (base_folder.path() / "id1" / "pak1.pak").string());
+  EXPECT_EQ(files.describe("c"), "c in " + files.where("c"));
+}
+
+TEST(FileSystem, PaksCountInNumericOrderUpToTheFirstGap) {
+  const test::TemporaryFolder base_folder;
+  for (int i = 0; i <= 12; ++i)
+    if (i != 11)
+      base_folder.write("id1/pak" + std::to_string(i) + ".pak", pak_of({{"which", std::to_string(i)}}));
+  EXPECT_EQ(text_of(open_or_die(base_folder), "which"), "10");
+}
+
+TEST(FileSystem, OfAPaksRepeatedNamesTheFirstCounts) {
+  const test::TemporaryFolder base_folder;
+  base_folder.write("id1/pak0.pak", pak_of({{"x", "first"}, {"X", "second"}}));
+  EXPECT_EQ(text_of(open_or_die(base_folder), "x"), "first");
+}
+
+TEST(FileSystem, APaksNamesCannotLeadOutside) {
+  const test::TemporaryFolder base_folder;
+  base_folder.write("id1/pak0.pak",
+                    pak_of({{"../x", "outside"}, {"", "nameless"}, {"maps\\a.bsp", "inside"}}));
+  const FileSystem files = open_or_die(base_folder);
+  EXPECT_THAT(files.list("", ""), ElementsAre("maps/a.bsp", "pak0.pak"));
+}
+
+TEST(FileSystem, LaterGamesHideEarlierOnes) {
+  const test::TemporaryFolder base_folder;
+  base_folder.write("id1/pak0.pak", pak_of({{"a", "id1"}, {"b", "id1"}, {"c", "id1"}}));
+  base_folder.write("one/b", "one");
+  base_folder.write("one/c", "one");
+  base_folder.write("Two/c", "two");
+  const FileSystem files = open_or_die(base_folder, {"one", "two"});
+  EXPECT_EQ(text_of(files, "a"), "id1");
+  EXPECT_EQ(text_of(files, "b"), "one");
+  EXPECT_EQ(text_of(files, "c"), "two");
+  EXPECT_EQ(files.game_of("a"), 0u);
+  EXPECT_EQ(files.game_of("b"), 1u);
+  EXPECT_EQ(files.game_of("c"), 2u);
+  EXPECT_EQ(files.folders().size(), 3u);
+
+  EXPECT_EQ(text_of(open_or_die(base_folder, {"two", "ID1", "one"}), "c"), "one");
+  const FileSystem again = open_or_die(base_folder, {"two", "one", "TWO"});
+  EXPECT_EQ(text_of(again, "c"), "two");
+  EXPECT_EQ(again.folders().size(), 3u);
+}
+
+TEST(FileSystem, ListsSortedAndOnce) {
+  const test::TemporaryFolder base_folder;
+  base_folder.write("id1/maps/B.bsp", "");
+  base_folder.write("id1/maps/b.lit", "");
+  base_folder.write("id1/maps/deep/c.bsp", "");
+  base_folder.write("id1/mapsx/d.bsp", "");
+  base_folder.write("id1/pak0.pak", pak_of({{"maps/a.bsp", ""}, {"maps/b.bsp", ""}}));
+  const FileSystem files = open_or_die(base_folder);
+  EXPECT_THAT(files.list("maps/", ".bsp"), ElementsAre("maps/a.bsp", "maps/b.bsp", "maps/deep/c.bsp"));
+  EXPECT_THAT(files.list("Maps/", ".LIT"), ElementsAre("maps/b.lit"));
+  EXPECT_THAT(files.list("nothing", ""), IsEmpty());
+}
+
+TEST(FileSystem, AMissingFileSaysWhereItWasLookedFor) {
+  const test::TemporaryFolder base_folder;
+  base_folder.write("id1/a", "");
+  base_folder.write("mod/a", "");
+  const auto bytes = open_or_die(base_folder, {"mod"}).read("maps/x\n.bsp");
+  ASSERT_FALSE(bytes.ok());
+  EXPECT_EQ(bytes.error().code, base::ErrorCode::kNotFound);
+  const std::string message = bytes.error().message();
+  EXPECT_THAT(message, HasSubstr("maps/x?.bsp: not in"));
+  EXPECT_THAT(message, HasSubstr((base_folder.path() / "id1").string()));
+  EXPECT_THAT(message, HasSubstr((base_folder.path() / "mod").string()));
+  EXPECT_THAT(message, HasSubstr("--game"));
+}
+
+TEST(FileSystem, MissingFoldersAreErrors) {
+  const test::TemporaryFolder base_folder;
+  const auto none = FileSystem::open(base_folder.path() / "nowhere");
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(none.error().code, base::ErrorCode::kNotFound);
+  EXPECT_THAT(none.error().message(), HasSubstr("--basedir"));
+
+  const auto empty = FileSystem::open(base_folder.path());
+  ASSERT_FALSE(empty.ok());
+  EXPECT_THAT(empty.error().message(), HasSubstr("no game folder \"id1\""));
+
+  base_folder.write("id1/a", "");
+  base_folder.write("file", "not a folder");
+  for (const char* game : {"mod", "file"}) {
+    const auto missing = FileSystem::open(base_folder.path(), std::vector<std::string>{game});
+    ASSERT_FALSE(missing.ok()) << game;
+    EXPECT_EQ(missing.error().code, base::ErrorCode::kNotFound);
+    EXPECT_THAT(missing.error().message(), HasSubstr(game));
+  }
+}
+
+TEST(FileSystem, AGameIsTheNameOfAFolder) {
+  const test::TemporaryFolder base_folder;
+  base_folder.write("id1/a", "");
+  for (const char* game : {"", "..", ".", "id1/../id1", "/tmp", "a/b", "a\\b"}) {
+    const auto files = FileSystem::open(base_folder.path(), std::vector<std::string>{game});
+    ASSERT_FALSE(files.ok()) << game;
+    EXPECT_EQ(files.error().code, base::ErrorCode::kUsage) << game;
+  }
+}
+
+TEST(FileSystem, ADamagedArchiveIsNamed) {
+  for (const char* name : {"pak0.pak", "bad.pk3"}) {
+    const test::TemporaryFolder base_folder;
+    const fs::path path = base_folder.write(std::string("id1/") + name, "no archive at all");
+    const auto files = FileSystem::open(base_folder.path());
+    ASSERT_FALSE(files.ok()) << name;
+    EXPECT_EQ(files.error().file, path.string());
+  }
+}
+
+TEST(FileSystem, AnEmptyArchiveIsDamaged) {
+  const test::TemporaryFolder base_folder;
+  base_folder.write("id1/pak0.pak", "");
+  EXPECT_FALSE(FileSystem::open(base_folder.path()).ok());
+}
+
+TEST(FileSystem, ADamagedEntryOfAPk3IsAnErrorWhenItIsRead) {
+  const test::TemporaryFolder base_folder;
+  base::ByteVector bytes = pk3_of({{"a", std::string(1000, 'a')}});
+  bytes[35] ^= std::byte{0xff};  // packed data: after the local header of 30 bytes and the name of 1
+  base_folder.write("id1/x.pk3", bytes);
+  const FileSystem files = open_or_die(base_folder);
+  const auto data = files.read("a");
+  ASSERT_FALSE(data.ok());
+  EXPECT_THAT(data.error().message(), HasSubstr("a in "));
+  EXPECT_THAT(data.error().message(), HasSubstr("x.pk3"));
+}
+
+// A file of `size` bytes that takes no room on disk.
+void make_sparse(const fs::path& path, std::uint64_t size) {
+  fs::create_directories(path.parent_path());
+  std::ofstream(path).close();
+  fs::resize_file(path, size);
+}
+
+TEST(FileSystem, HugeFilesAreRefusedUnread) {
+  constexpr std::uint64_t kThreeGb = 3'000'000'000;
+  const test::TemporaryFolder loose;
+  make_sparse(loose.path() / "id1" / "maps" / "a.bsp", kThreeGb);
+  const auto bytes = open_or_die(loose).read("maps/a.bsp");
+  ASSERT_FALSE(bytes.ok());
+  EXPECT_EQ(bytes.error().code, base::ErrorCode::kTooLarge);
+
+  const test::TemporaryFolder packed;
+  make_sparse(packed.path() / "id1" / "big.pk3", kThreeGb);
+  const auto files = FileSystem::open(packed.path());
+  ASSERT_FALSE(files.ok());
+  EXPECT_EQ(files.error().code, base::ErrorCode::kTooLarge);
+}
+
+TEST(FileSystem, AHugeEntryOfAPakIsRefusedUnread) {
+  const test::TemporaryFolder base_folder;
+  base::ByteWriter writer;
+  writer.bytes(base::as_bytes("PACK"));
+  writer.i32(12);
+  writer.i32(64);
+  writer.fixed_text("huge", 56);
+  writer.i32(0);
+  writer.i32(2'000'000'000);
+  const fs::path path = base_folder.write("id1/pak0.pak", writer.view());
+  fs::resize_file(path, 2'000'000'000);
+  const auto bytes = open_or_die(base_folder).read("huge");
+  ASSERT_FALSE(bytes.ok());
+  EXPECT_EQ(bytes.error().code, base::ErrorCode::kTooLarge);
+  EXPECT_THAT(bytes.error().message(), HasSubstr("huge in " + path.string()));
+}
+
+TEST(FileSystem, LinksToFoldersAreNotFollowed) {
+  const test::TemporaryFolder base_folder;
+  base_folder.write("id1/a", "file");
+  fs::create_directory_symlink(base_folder.path() / "id1", base_folder.path() / "id1" / "loop");
+  fs::create_symlink(base_folder.path() / "nowhere", base_folder.path() / "id1" / "dangling");
+  fs::create_symlink(base_folder.path() / "id1" / "a", base_folder.path() / "id1" / "b");
+  fs::create_directory_symlink(base_folder.path() / "id1", base_folder.path() / "mod");
+  const FileSystem files = open_or_die(base_folder, {"mod"});
+  EXPECT_THAT(files.list("", ""), ElementsAre("a", "b"));
+  EXPECT_EQ(text_of(files, "b"), "file");
+}
+
+TEST(FileSystem, AFileThatShrankIsAnError) {
+  const test::TemporaryFolder base_folder;
+  const fs::path path = base_folder.write("id1/pak0.pak", pak_of({{"a", "content"}}));
+  const FileSystem files = open_or_die(base_folder);
+  fs::resize_file(path, 14);
+  const auto bytes = files.read("a");
+  ASSERT_FALSE(bytes.ok());
+  EXPECT_EQ(bytes.error().code, base::ErrorCode::kIo);
+}
+
+TEST(FileSystem, FindsStockData) {
+  DATA_FOLDER_OR_SKIP(data);
+  const auto files = FileSystem::open(data);
+  ASSERT_TRUE(files.ok()) << files.error().message();
+  const auto palette = files->read("gfx/PALETTE.lmp");
+  ASSERT_TRUE(palette.ok()) << palette.error().message();
+  EXPECT_EQ(palette->size(), 768u);
+  EXPECT_THAT(files->list("maps/", ".bsp"), ::testing::Contains("maps/start.bsp"));
+}
+
+}  // namespace
+}  // namespace temblor::vfs
