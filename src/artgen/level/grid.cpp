@@ -1,0 +1,125 @@
+#include "artgen/level/grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace temblor::artgen {
+namespace {
+
+constexpr float kBorderUnits = 16;
+
+void sort_unique(std::vector<float>& io_values) {
+  std::sort(io_values.begin(), io_values.end());
+  io_values.erase(std::unique(io_values.begin(), io_values.end()), io_values.end());
+}
+
+void cut_wide_cells(std::vector<float>& io_lines, float max_units) {
+  const std::vector<float> lines = io_lines;
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i)
+    for (float cut = lines[i] + max_units; cut < lines[i + 1]; cut += max_units) io_lines.push_back(cut);
+  sort_unique(io_lines);
+}
+
+template <typename Visit>
+void for_each_cell(const Grid& grid, Visit visit) {
+  for (std::size_t z = 0; z < grid.size(2); ++z)
+    for (std::size_t y = 0; y < grid.size(1); ++y)
+      for (std::size_t x = 0; x < grid.size(0); ++x) visit(CellPosition{x, y, z});
+}
+
+float centre(const Grid& grid, std::size_t axis, std::size_t cell) {
+  return (grid.lines[axis][cell] + grid.lines[axis][cell + 1]) / 2;
+}
+
+bool holds(const math::Bounds& bounds, const math::Vec3& point) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (point[axis] < bounds.mins[axis] || point[axis] > bounds.maxs[axis]) return false;
+  return true;
+}
+
+bool stops_boxes(const Cell& cell) {
+  return cell.contents == kContentsSolid || cell.contents == kContentsSky;
+}
+
+// The cells of one axis that the open interval from `low` to `high` touches.
+struct Touched {
+  std::size_t first, last;
+};
+Touched touched_cells(const std::vector<float>& lines, float low, float high) {
+  const auto first = std::upper_bound(lines.begin(), lines.end(), low) - lines.begin() - 1;
+  const auto last = std::lower_bound(lines.begin(), lines.end(), high) - lines.begin();
+  const auto cells = static_cast<std::ptrdiff_t>(lines.size()) - 1;
+  return {static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(first, 0, cells)),
+          static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(last, 0, cells))};
+}
+
+bool any_stops_boxes(const Grid& grid, const std::array<Touched, 3>& range, bool background_stops) {
+  for (const Touched& touched : range)
+    if (touched.first >= touched.last) return background_stops;
+  for (std::size_t z = range[2].first; z < range[2].last; ++z)
+    for (std::size_t y = range[1].first; y < range[1].last; ++y)
+      for (std::size_t x = range[0].first; x < range[0].last; ++x)
+        if (stops_boxes(grid.at({x, y, z}))) return true;
+  return false;
+}
+
+}  // namespace
+
+math::Bounds Grid::bounds(const CellRange& range) const {
+  math::Bounds box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.mins[static_cast<int>(axis)] = lines[axis][range.first[axis]];
+    box.maxs[static_cast<int>(axis)] = lines[axis][range.last[axis]];
+  }
+  return box;
+}
+
+Grid make_grid(std::span<const PlanBox> boxes, std::int32_t background, float max_cell_units) {
+  Grid grid;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<float>& lines = grid.lines[axis];
+    for (const PlanBox& box : boxes) {
+      lines.push_back(box.bounds.mins[static_cast<int>(axis)]);
+      lines.push_back(box.bounds.maxs[static_cast<int>(axis)]);
+    }
+    sort_unique(lines);
+    cut_wide_cells(lines, max_cell_units);
+    lines.insert(lines.begin(), lines.front() - kBorderUnits);
+    lines.push_back(lines.back() + kBorderUnits);
+  }
+  for_each_cell(grid, [&](const CellPosition& at) {
+    const math::Vec3 middle(centre(grid, 0, at[0]), centre(grid, 1, at[1]), centre(grid, 2, at[2]));
+    Cell cell{background, Look::kNone};
+    for (const PlanBox& box : boxes)
+      if (holds(box.bounds, middle)) cell = {box.contents, box.look};
+    grid.cells.push_back(cell);
+  });
+  return grid;
+}
+
+Grid grow_grid(const Grid& grid, const math::Vec3& mins, const math::Vec3& maxs, std::int32_t background) {
+  Grid grown;
+  std::array<std::vector<Touched>, 3> touched;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float low = mins[static_cast<int>(axis)];
+    const float high = maxs[static_cast<int>(axis)];
+    for (const float line : grid.lines[axis]) {
+      grown.lines[axis].push_back(line - high);
+      grown.lines[axis].push_back(line - low);
+    }
+    sort_unique(grown.lines[axis]);
+    for (std::size_t cell = 0; cell < grown.size(axis); ++cell) {
+      const float middle = centre(grown, axis, cell);
+      touched[axis].push_back(touched_cells(grid.lines[axis], middle + low, middle + high));
+    }
+  }
+  const bool background_stops = background == kContentsSolid;
+  for_each_cell(grown, [&](const CellPosition& at) {
+    const bool stops =
+        any_stops_boxes(grid, {touched[0][at[0]], touched[1][at[1]], touched[2][at[2]]}, background_stops);
+    grown.cells.push_back({stops ? kContentsSolid : kContentsEmpty, Look::kNone});
+  });
+  return grown;
+}
+
+}  // namespace temblor::artgen

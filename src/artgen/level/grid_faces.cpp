@@ -1,0 +1,189 @@
+#include "artgen/level/grid_faces.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace temblor::artgen {
+namespace {
+
+bool is_open(const Cell& cell) {
+  return cell.contents == kContentsEmpty || cell.contents == kContentsWater;
+}
+
+Material wall_material(Look look) {
+  switch (look) {
+    case Look::kTrim:
+      return Material::kTrim;
+    case Look::kPanel:
+      return Material::kPanel;
+    case Look::kDoor:
+      return Material::kDoor;
+    case Look::kCourt:
+      return Material::kStone;
+    case Look::kCorridor:
+    case Look::kCellar:
+      return Material::kConcrete;
+    case Look::kHall:
+    case Look::kNone:
+      break;
+  }
+  return Material::kBrick;
+}
+
+Material floor_material(Look look) {
+  switch (look) {
+    case Look::kCourt:
+    case Look::kCellar:
+      return Material::kEarth;
+    case Look::kHall:
+    case Look::kCorridor:
+      return Material::kSlabs;
+    default:
+      return wall_material(look);
+  }
+}
+
+// What someone in the cell `from` sees of the cell `to` next to it; nothing when that is open space as well.
+std::optional<Material> seen_material(const Cell& from, const Cell& to, std::size_t axis, bool looks_up) {
+  if (!is_open(from) || from.contents == to.contents) return std::nullopt;
+  if (to.contents == kContentsSky) return Material::kSky;
+  if (is_open(to)) return Material::kWater;
+  const Look look = to.look != Look::kNone ? to.look : from.look;
+  if (axis != 2) return wall_material(look);
+  if (looks_up) return floor_material(look);
+  return look == Look::kHall ? Material::kConcrete : wall_material(look);
+}
+
+// The materials of a plane's squares, from which rectangles are cut until none is left.
+class Squares {
+ public:
+  Squares(const Grid& grid, const GridTree::Node& node, bool looks_up);
+  std::vector<GridFace> cut_faces(float max_units);
+
+ private:
+  std::optional<Material>& at(std::size_t i, std::size_t j) {
+    return materials_[(j - first_[1]) * width_ + i - first_[0]];
+  }
+  std::size_t reach(std::size_t which_axis, std::size_t from, float max_units) const;
+
+  const Grid& grid_;
+  GridFace shape_;  // axis, line, looks_up of every face
+  std::array<std::size_t, 2> first_, last_;
+  std::size_t width_;
+  std::vector<std::optional<Material>> materials_;
+};
+
+Squares::Squares(const Grid& grid, const GridTree::Node& node, bool looks_up)
+    : grid_(grid), shape_{node.axis, node.line, looks_up, {}, {}, {}} {
+  const std::size_t u = shape_.u();
+  const std::size_t v = shape_.v();
+  first_ = {node.range.first[u], node.range.first[v]};
+  last_ = {node.range.last[u], node.range.last[v]};
+  width_ = last_[0] - first_[0];
+  CellPosition above{}, below{};
+  above[node.axis] = node.line;
+  below[node.axis] = node.line - 1;
+  for (std::size_t j = first_[1]; j < last_[1]; ++j) {
+    for (std::size_t i = first_[0]; i < last_[0]; ++i) {
+      above[u] = below[u] = i;
+      above[v] = below[v] = j;
+      const Cell& front = grid.at(looks_up ? above : below);
+      const Cell& back = grid.at(looks_up ? below : above);
+      materials_.push_back(seen_material(front, back, node.axis, looks_up));
+    }
+  }
+}
+
+// The last line that a face starting at line `from` may reach.
+std::size_t Squares::reach(std::size_t which_axis, std::size_t from, float max_units) const {
+  const std::vector<float>& lines = grid_.lines[which_axis == 0 ? shape_.u() : shape_.v()];
+  std::size_t to = from + 1;
+  while (to < last_[which_axis] && lines[to + 1] - lines[from] <= max_units) ++to;
+  return to;
+}
+
+std::vector<GridFace> Squares::cut_faces(float max_units) {
+  std::vector<GridFace> faces;
+  for (std::size_t j = first_[1]; j < last_[1]; ++j) {
+    for (std::size_t i = first_[0]; i < last_[0]; ++i) {
+      const std::optional<Material> material = at(i, j);
+      if (!material) continue;
+      const std::size_t max_i = reach(0, i, max_units);
+      const std::size_t max_j = reach(1, j, max_units);
+      std::size_t end_i = i + 1;
+      while (end_i < max_i && at(end_i, j) == material) ++end_i;
+      const auto row_matches = [&](std::size_t row) {
+        for (std::size_t k = i; k < end_i; ++k)
+          if (at(k, row) != material) return false;
+        return true;
+      };
+      std::size_t end_j = j + 1;
+      while (end_j < max_j && row_matches(end_j)) ++end_j;
+      for (std::size_t row = j; row < end_j; ++row)
+        for (std::size_t k = i; k < end_i; ++k) at(k, row).reset();
+      GridFace face = shape_;
+      face.first = {i, j};
+      face.last = {end_i, end_j};
+      face.material = *material;
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
+CellPosition point_of(const GridFace& face, std::size_t u_line, std::size_t v_line) {
+  CellPosition point{};
+  point[face.axis] = face.line;
+  point[face.u()] = u_line;
+  point[face.v()] = v_line;
+  return point;
+}
+
+}  // namespace
+
+CellRange GridFace::front_cells() const {
+  CellRange range;
+  range.first[axis] = looks_up ? line : line - 1;
+  range.last[axis] = range.first[axis] + 1;
+  range.first[u()] = first[0];
+  range.last[u()] = last[0];
+  range.first[v()] = first[1];
+  range.last[v()] = last[1];
+  return range;
+}
+
+std::vector<GridFace> find_faces(const Grid& grid, const GridTree::Node& node, float max_units) {
+  std::vector<GridFace> faces = Squares(grid, node, true).cut_faces(max_units);
+  const std::vector<GridFace> below = Squares(grid, node, false).cut_faces(max_units);
+  faces.insert(faces.end(), below.begin(), below.end());
+  return faces;
+}
+
+Corners::Corners(const Grid& grid, const std::vector<GridFace>& faces)
+    : points_{grid.lines[0].size(), grid.lines[1].size(), grid.lines[2].size()},
+      is_corner_(points_[0] * points_[1] * points_[2]) {
+  for (const GridFace& face : faces)
+    for (const std::size_t i : {face.first[0], face.last[0]})
+      for (const std::size_t j : {face.first[1], face.last[1]})
+        is_corner_[index(point_of(face, i, j))] = true;
+}
+
+std::vector<math::Vec3> outline(const Grid& grid, const GridFace& face, const Corners& corners) {
+  std::vector<CellPosition> points;
+  const auto visit = [&](std::size_t i, std::size_t j) {
+    const CellPosition point = point_of(face, i, j);
+    if (corners.has(point)) points.push_back(point);
+  };
+  // u x v is the positive axis, so this goes counter-clockwise seen from above.
+  for (std::size_t i = face.first[0]; i < face.last[0]; ++i) visit(i, face.first[1]);
+  for (std::size_t j = face.first[1]; j < face.last[1]; ++j) visit(face.last[0], j);
+  for (std::size_t i = face.last[0]; i > face.first[0]; --i) visit(i, face.last[1]);
+  for (std::size_t j = face.last[1]; j > face.first[1]; --j) visit(face.first[0], j);
+  if (face.looks_up) std::reverse(points.begin(), points.end());
+  std::vector<math::Vec3> vertices;
+  for (const CellPosition& point : points)
+    vertices.emplace_back(grid.lines[0][point[0]], grid.lines[1][point[1]], grid.lines[2][point[2]]);
+  return vertices;
+}
+
+}  // namespace temblor::artgen

@@ -1,0 +1,98 @@
+#include "artgen/level/grid_visibility.h"
+
+#include <algorithm>
+#include <array>
+
+namespace temblor::artgen {
+namespace {
+
+constexpr std::uint32_t kNoLeaf = 0xffffffff;
+
+// Calls visit(index of the cell) for every cell of a range.
+template <typename Visit>
+void for_each_cell(const Grid& grid, const CellRange& range, Visit visit) {
+  for (std::size_t z = range.first[2]; z < range.last[2]; ++z)
+    for (std::size_t y = range.first[1]; y < range.last[1]; ++y)
+      for (std::size_t x = range.first[0]; x < range.last[0]; ++x) visit(grid.index({x, y, z}));
+}
+
+class Flood {
+ public:
+  explicit Flood(const Grid& grid) : grid_(grid) {}
+
+  // Marks in io_seen what lies along lines from the range that run up (or down) each axis as told. The grid's
+  // outermost cells are never open, so steps need no bounds check.
+  void run(const CellRange& from, const std::array<bool, 3>& up, std::vector<bool>& io_seen) {
+    // A cell passes the line on when it is open, or when the line starts there (even inside a sky).
+    passes_.assign(grid_.cells.size(), false);
+    const std::array<std::ptrdiff_t, 3> strides = {
+        1, static_cast<std::ptrdiff_t>(grid_.size(0)),
+        static_cast<std::ptrdiff_t>(grid_.size(0) * grid_.size(1))};
+    for_each_cell(grid_, from, [&](std::size_t cell) { passes_[cell] = io_seen[cell] = true; });
+    for (std::size_t k = 1; k + 1 < grid_.size(2); ++k) {
+      for (std::size_t j = 1; j + 1 < grid_.size(1); ++j) {
+        for (std::size_t i = 1; i + 1 < grid_.size(0); ++i) {
+          const std::size_t cell =
+              grid_.index({up[0] ? i : grid_.size(0) - 1 - i, up[1] ? j : grid_.size(1) - 1 - j,
+                           up[2] ? k : grid_.size(2) - 1 - k});
+          const std::int32_t contents = grid_.cells[cell].contents;
+          if (contents == kContentsSolid || passes_[cell]) continue;
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::ptrdiff_t back = up[axis] ? -strides[axis] : strides[axis];
+            if (!passes_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + back)]) continue;
+            io_seen[cell] = true;
+            passes_[cell] = contents != kContentsSky;
+          }
+        }
+      }
+    }
+  }
+
+ private:
+  const Grid& grid_;
+  std::vector<bool> passes_;
+};
+
+}  // namespace
+
+std::vector<std::vector<std::uint8_t>> visible_leafs(const Grid& grid,
+                                                     std::span<const GridTree::Leaf> leafs) {
+  std::vector<std::uint32_t> leaf_of_cell(grid.cells.size(), kNoLeaf);
+  for (std::size_t leaf = 0; leaf < leafs.size(); ++leaf)
+    for_each_cell(grid, leafs[leaf].range,
+                  [&](std::size_t cell) { leaf_of_cell[cell] = static_cast<std::uint32_t>(leaf); });
+
+  Flood flood(grid);
+  std::vector<std::vector<std::uint8_t>> rows;
+  for (const GridTree::Leaf& leaf : leafs) {
+    std::vector<bool> seen(grid.cells.size(), false);
+    for (unsigned octant = 0; octant < 8; ++octant)
+      flood.run(leaf.range, {(octant & 1) != 0, (octant & 2) != 0, (octant & 4) != 0}, seen);
+    std::vector<std::uint8_t> row((leafs.size() + 7) / 8);
+    for (std::size_t cell = 0; cell < seen.size(); ++cell) {
+      const std::uint32_t other = leaf_of_cell[cell];
+      if (seen[cell] && other != kNoLeaf)
+        row[other / 8] = static_cast<std::uint8_t>(row[other / 8] | (1u << (other % 8)));
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<std::uint8_t> compress_row(std::span<const std::uint8_t> row) {
+  constexpr std::size_t kLongestRun = 255;
+  std::vector<std::uint8_t> coded;
+  for (std::size_t i = 0; i < row.size();) {
+    coded.push_back(row[i]);
+    if (row[i++] != 0) continue;
+    std::size_t run = 1;
+    while (i < row.size() && row[i] == 0 && run < kLongestRun) {
+      ++run;
+      ++i;
+    }
+    coded.push_back(static_cast<std::uint8_t>(run));
+  }
+  return coded;
+}
+
+}  // namespace temblor::artgen
