@@ -2,7 +2,6 @@
 // the reader has validated (indices, ranges, trees without cycles, finite numbers) is relied on.
 #include "world/level.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "world/loading/faces.h"
@@ -76,9 +75,7 @@ void take_geometry(formats::Bsp& io_bsp, Level& io_level) {
   io_level.edges = std::move(io_bsp.edges);
   io_level.surfedges = std::move(io_bsp.surfedges);
   io_level.visibility = std::move(io_bsp.visibility);
-  const std::int32_t visible_leafs = std::max(0, io_bsp.models[0].visible_leafs);
-  io_level.visible_leaf_count = std::min(static_cast<std::uint32_t>(visible_leafs),
-                                         static_cast<std::uint32_t>(io_level.leafs.size() - 1));
+  io_level.visible_leaf_count = static_cast<std::uint32_t>(io_bsp.models[0].visible_leafs);
 }
 
 base::Status take_light(formats::Bsp& io_bsp, const formats::Lit* lit, Level& io_level) {

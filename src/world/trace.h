@@ -18,16 +18,17 @@ struct HullChoice {
 HullChoice choose_hull(const math::Vec3& box_mins, const math::Vec3& box_maxs);
 
 struct Trace {
-  bool all_solid = false;    // the whole path is inside solid
-  bool start_solid = false;  // the start is inside solid
-  bool in_open = false, in_water = false;
-  float fraction = 1;  // of the path that is free, 1: all of it
+  bool all_solid = false;                  // the whole path is inside solid; then fraction is 1
+  bool start_solid = false;                // the start is inside solid
+  bool in_open = false, in_water = false;  // part of the path is empty; is a liquid, sky or current
+  float fraction = 1;                      // of the path that is free, 1: all of it
   math::Vec3 end{0.0f};
   math::Vec3 plane_normal{0.0f};  // of what stopped it, when fraction < 1
   float plane_distance = 0;
 };
 
-// From start to end through one model's hull, in that model's space. Stops 1/32 unit short of the surface.
+// From start to end through one model's hull, in that model's space. Stops 1/32 unit short of the surface,
+// measured along its normal. A path that starts in solid ends where it comes back into solid.
 Trace trace_line(const Level& level, ModelIndex model, Hull hull, const math::Vec3& start,
                  const math::Vec3& end);
 

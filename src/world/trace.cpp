@@ -1,0 +1,183 @@
+// Method: the path is walked through the tree front to back. Where it crosses a plane it is cut 1/32 unit
+// before the plane; the near part is walked first, and the far part only when the cut lies in something open
+// on the far side. The first cut that does not is where the trace stops. Written from the observed behaviour
+// of the original; unlike it, a path that starts in solid is followed through any number of solid leafs, so
+// that all_solid means what it says.
+#include "world/trace.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace temblor::world {
+namespace {
+
+constexpr double kSurfaceGap = 1.0 / 32;
+constexpr double kStepBack = 0.1;
+
+constexpr std::array<math::Bounds, 3> kHullBoxes = {{
+    {{0, 0, 0}, {0, 0, 0}},
+    {{-16, -16, -24}, {16, 16, 32}},
+    {{-32, -32, -24}, {32, 32, 64}},
+}};
+
+// The nodes and leafs of hull 0, or the clipnodes of another one, seen as the same thing.
+class HullTree {
+ public:
+  HullTree(const Level& level, ModelIndex model_index, Hull hull) : level_(level), hull_(hull) {
+    const Model& model = level.models[base::to_size(model_index)];
+    head_ = hull == Hull::kPoint ? model.head.value : model.clip_heads[static_cast<std::size_t>(hull) - 1];
+  }
+
+  // A place in the tree: >= 0 a node, < 0 the end of the path down.
+  std::int32_t head() const { return head_; }
+  const Plane& plane(std::int32_t node) const {
+    const auto i = static_cast<std::size_t>(node);
+    return level_.planes[hull_ == Hull::kPoint ? level_.nodes[i].plane : level_.clipnodes[i].plane];
+  }
+  std::int32_t child(std::int32_t node, std::size_t side) const {
+    const auto i = static_cast<std::size_t>(node);
+    return hull_ == Hull::kPoint ? level_.nodes[i].children[side].value : level_.clipnodes[i].children[side];
+  }
+  Contents contents_at_end(std::int32_t end) const {
+    if (hull_ == Hull::kPoint) return level_.leaf(Child{end}.leaf()).contents;
+    return static_cast<Contents>(end);
+  }
+
+  Contents contents_below(std::int32_t node, const math::Vec3d& point) const {
+    while (node >= 0) node = child(node, distance_to(plane(node), point) >= 0 ? 0 : 1);
+    return contents_at_end(node);
+  }
+
+ private:
+  const Level& level_;
+  Hull hull_;
+  std::int32_t head_;
+};
+
+// A piece of the path, from `start` to `end`, which lie at these fractions of the whole.
+struct Piece {
+  math::Vec3d start, end;
+  double start_fraction, end_fraction;
+
+  math::Vec3d point(double along) const { return start + (end - start) * along; }
+  double fraction(double along) const { return start_fraction + (end_fraction - start_fraction) * along; }
+};
+
+// What is left to do behind a plane once everything before it has been found open.
+struct Crossing {
+  std::int32_t node;
+  std::size_t near_side;
+  Piece piece;   // as it arrived at the node
+  double along;  // where the piece is cut
+};
+
+// Room for every tree of a sane level without asking the heap.
+class CrossingStack {
+ public:
+  void push(const Crossing& crossing) {
+    if (size_ < first_.size())
+      first_[size_] = crossing;
+    else
+      rest_.push_back(crossing);
+    ++size_;
+  }
+  std::optional<Crossing> pop() {
+    if (size_ == 0) return std::nullopt;
+    --size_;
+    if (size_ < first_.size()) return first_[size_];
+    const Crossing crossing = rest_.back();
+    rest_.pop_back();
+    return crossing;
+  }
+
+ private:
+  std::array<Crossing, 64> first_;
+  std::vector<Crossing> rest_;
+  std::size_t size_ = 0;
+};
+
+// Follows a piece down the near sides to the end of the tree that holds its start, noting what it crosses.
+std::int32_t descend(const HullTree& tree, std::int32_t node, Piece piece, CrossingStack& io_crossings) {
+  while (node >= 0) {
+    const Plane& plane = tree.plane(node);
+    const double start_distance = distance_to(plane, piece.start);
+    const double end_distance = distance_to(plane, piece.end);
+    const std::size_t near_side = start_distance >= 0 ? 0 : 1;
+    if ((end_distance >= 0) == (start_distance >= 0)) {
+      node = tree.child(node, near_side);
+      continue;
+    }
+    const double gap = near_side == 0 ? -kSurfaceGap : kSurfaceGap;
+    const double along = std::clamp((start_distance + gap) / (start_distance - end_distance), 0.0, 1.0);
+    io_crossings.push({node, near_side, piece, along});
+    piece.end = piece.point(along);
+    piece.end_fraction = piece.fraction(along);
+    node = tree.child(node, near_side);
+  }
+  return node;
+}
+
+void note_contents(Contents contents, Trace& io_trace) {
+  if (contents == Contents::kSolid) return;
+  io_trace.all_solid = false;
+  (contents == Contents::kEmpty ? io_trace.in_open : io_trace.in_water) = true;
+}
+
+void stop_at(const HullTree& tree, const Crossing& crossing, Trace& io_trace) {
+  const Plane& plane = tree.plane(crossing.node);
+  const float sign = crossing.near_side == 0 ? 1.0f : -1.0f;
+  io_trace.plane_normal = plane.normal * sign;
+  io_trace.plane_distance = plane.distance * sign;
+  // Where planes meet at a sharp angle the cut may lie behind another one.
+  double along = crossing.along;
+  math::Vec3 end(crossing.piece.point(along));
+  while (along > 0 && tree.contents_below(tree.head(), math::Vec3d(end)) == Contents::kSolid) {
+    along = std::max(0.0, along - kStepBack);
+    end = math::Vec3(crossing.piece.point(along));
+  }
+  io_trace.end = end;
+  io_trace.fraction = static_cast<float>(crossing.piece.fraction(along));
+}
+
+}  // namespace
+
+HullChoice choose_hull(const math::Vec3& box_mins, const math::Vec3& box_maxs) {
+  const float width = box_maxs.x - box_mins.x;
+  const Hull hull = width < 3 ? Hull::kPoint : width <= 32 ? Hull::kPlayer : Hull::kLarge;
+  return {hull, box_mins - kHullBoxes[static_cast<std::size_t>(hull)].mins};
+}
+
+Trace trace_line(const Level& level, ModelIndex model, Hull hull, const math::Vec3& start,
+                 const math::Vec3& end) {
+  const HullTree tree(level, model, hull);
+  Trace trace;
+  trace.end = end;
+  trace.all_solid = true;
+  CrossingStack crossings;
+  const Piece path{math::Vec3d(start), math::Vec3d(end), 0, 1};
+  Contents contents = tree.contents_at_end(descend(tree, tree.head(), path, crossings));
+  trace.start_solid = contents == Contents::kSolid;
+  note_contents(contents, trace);
+  while (const std::optional<Crossing> crossing = crossings.pop()) {
+    const Piece& piece = crossing->piece;
+    const std::int32_t far_child = tree.child(crossing->node, 1 - crossing->near_side);
+    const Piece far{piece.point(crossing->along), piece.end, piece.fraction(crossing->along),
+                    piece.end_fraction};
+    if (tree.contents_below(far_child, far.start) == Contents::kSolid && !trace.all_solid) {
+      stop_at(tree, *crossing, trace);
+      break;
+    }
+    contents = tree.contents_at_end(descend(tree, far_child, far, crossings));
+    note_contents(contents, trace);
+  }
+  return trace;
+}
+
+Contents hull_contents(const Level& level, ModelIndex model, Hull hull, const math::Vec3& point) {
+  const HullTree tree(level, model, hull);
+  return tree.contents_below(tree.head(), math::Vec3d(point));
+}
+
+}  // namespace temblor::world
