@@ -49,6 +49,8 @@ void Console::run() {
     done_ = std::min(done_ + command.size() + 1, text_.size());
     execute(command);
   }
+  // Only now and then, so that a text of many waits is not moved for each of them.
+  if (done_ * 2 < text_.size()) return;
   text_.erase(0, done_);
   done_ = 0;
 }

@@ -87,7 +87,7 @@ VariableIndex Variables::add_bool(std::string_view name, bool value, std::string
   Variable variable;
   variable.name = name;
   variable.type = VariableType::kBool;
-  variable.default_text = value ? "1" : "0";
+  variable.default_text = value ? '1' : '0';
   variable.help = help;
   return add(std::move(variable));
 }
