@@ -3,6 +3,9 @@
 
 SOURCES = find src tests bench fuzz -name '*.cpp' -o -name '*.h'
 MAPS = start lq_e0m1 lq_e1m2
+# Without game data the program draws the level that it makes in code.
+WITH_DATA = $(if $(TEMBLOR_DATA),--basedir "$(TEMBLOR_DATA)")
+BENCH_MAPS = $(if $(TEMBLOR_DATA),$(addprefix --map ,$(MAPS)))
 
 play:
 	tools/play.sh
@@ -13,7 +16,7 @@ bench:
 	tools/setup.sh build
 	cmake --preset release
 	cmake --build --preset release --target temblor kernel_bench
-	build/release/temblor $(if $(TEMBLOR_DATA),--basedir "$(TEMBLOR_DATA)") bench --report $(addprefix --map ,$(MAPS))
+	build/release/temblor $(WITH_DATA) bench --report $(BENCH_MAPS)
 	build/release/bench/kernel_bench
 
 format:

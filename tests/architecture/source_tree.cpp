@@ -58,7 +58,8 @@ const std::map<std::string, Names, std::less<>>& allowed_stages() {
       {"surfaces", {"view", "edges"}},
       {"spans", {"view", "edges", "surfaces"}},
       {"models", {"view"}},
-      {"screen", {}},
+      // At the end: it may look at what every stage left behind (`--show`), and no stage knows of it.
+      {"screen", {"view", "edges", "surfaces"}},
   };
   return table;
 }

@@ -27,7 +27,8 @@ SourceFile parse_source(std::string path, const std::string& text);
 std::vector<SourceFile> read_source_tree(const std::filesystem::path& root);
 
 // A folder includes only what the table of the design allows; sub-folders are private to their folder;
-// inside render the stages view, edges, surfaces, spans each include only earlier ones, and screen none.
+// inside render the stages view, edges, surfaces, spans each include only earlier ones, and none includes
+// screen.
 std::vector<std::string> layering_breaches(const std::vector<SourceFile>& files);
 
 // No file is longer than `limit_lines`.
