@@ -1,8 +1,9 @@
 // Quake levels: version 29, 2PSB and BSP2, one struct for all three (the widest type of each field).
-// Layouts: docs and the data; see write_bsp for what each version can hold.
+// Layouts: bsp/records.h; see write_bsp for what each version can hold.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -148,8 +149,9 @@ struct Bsp {
 //
 // Made regular on the way in, because nothing is lost by it: the entity text ends at its first zero; in a
 // level without visibility every leaf's offset becomes -1; in a level without clipnodes hulls 1-3 become
-// empty contents; bounds beyond +-kBspMaxCoordinate are cut to it; a texture's name is cut to 15 characters;
-// bytes after the last lump that are not BSPX are ignored.
+// empty contents; a plane of type 0-2 whose normal is not that axis gets type 3-5; bounds beyond
+// +-kBspMaxCoordinate are cut to it; a texture's name is cut to 15 characters; bytes after the last lump that
+// are not BSPX are ignored.
 base::Result<Bsp> read_bsp(base::Bytes bytes);
 
 // Writes as `version`; kTooLarge, naming lump, record and field, when a number does not fit that version (a

@@ -99,6 +99,17 @@ TEST(BspRoundTrip, BoundsOutOfAllProportionAreCut) {
   EXPECT_EQ(back->leafs[0].maxs, math::Vec3(-kBspMaxCoordinate));
 }
 
+TEST(BspRoundTrip, PlanesThatAreNotAxialLoseTheirAxialType) {
+  Bsp bsp = test::make_cube_room();
+  bsp.planes[0].normal = {-1, 0, 0};
+  bsp.planes[1] = {{0.6f, 0, -0.8f}, 3, 1};
+  const auto back = read_bsp(write_bsp(bsp, BspVersion::k29).value());
+  ASSERT_TRUE(back.ok()) << back.error().message();
+  EXPECT_EQ(back->planes[0].type, 3);
+  EXPECT_EQ(back->planes[1].type, 5);
+  EXPECT_EQ(back->planes[2].type, 1);
+}
+
 TEST(BspRoundTrip, WithoutVisibilityOffsetsMeanNothing) {
   Bsp bsp = test::make_cube_room();
   bsp.visibility.clear();

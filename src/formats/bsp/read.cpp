@@ -1,5 +1,6 @@
 // bytes -> Bsp: the header, each lump's records by their layout, BSPX; then find_fault over the whole.
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "formats/bsp.h"
 #include "formats/bsp/bspx.h"
@@ -13,6 +14,12 @@ namespace bsp_file {
 namespace {
 
 constexpr std::int32_t kEmptyContents = -1;
+
+math::Vec3 axis_normal(std::int32_t axis) {
+  math::Vec3 normal(0.0f);
+  normal[axis] = 1;
+  return normal;
+}
 
 // Reads the fields of records.h.
 class RecordReader {
@@ -116,6 +123,20 @@ base::Result<Bsp> read_lumps(base::Bytes file, const Header& header) {
   return bsp;
 }
 
+std::int32_t dominant_axis(const math::Vec3& normal) {
+  const math::Vec3 size = glm::abs(normal);
+  if (size.x >= size.y && size.x >= size.z) return 0;
+  return size.y >= size.z ? 1 : 2;
+}
+
+// A plane that calls itself axial, and is not or looks the other way, becomes one of the types for any
+// normal.
+void settle_types(std::vector<BspPlane>& io_planes) {
+  for (BspPlane& plane : io_planes)
+    if (plane.type >= 0 && plane.type < 3 && plane.normal != axis_normal(plane.type))
+      plane.type = 3 + dominant_axis(plane.normal);
+}
+
 // Offsets into lumps that are empty as a whole: compilers leave zeros there.
 void clear_offsets_into_nothing(Bsp& io_bsp) {
   if (io_bsp.visibility.empty())
@@ -172,6 +193,7 @@ base::Error describe(const BspFault& fault, const Header& header) {
 base::Result<Bsp> read_bsp(base::Bytes bytes) {
   TRY(const bsp_file::Header header, bsp_file::read_header(bytes));
   TRY(Bsp bsp, bsp_file::read_lumps(bytes, header));
+  bsp_file::settle_types(bsp.planes);
   bsp_file::clear_offsets_into_nothing(bsp);
   if (const auto fault = find_fault(bsp)) return bsp_file::describe(*fault, header);
   return bsp;
