@@ -71,6 +71,7 @@ class ArenaVector {
   void advance(std::size_t count) { size_ += count; }
   void pop_back() { --size_; }
   void clear() { size_ = 0; }
+  void shrink(std::size_t size) { size_ = size; }  // size <= size()
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }

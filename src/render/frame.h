@@ -7,9 +7,17 @@
 #include <memory>
 #include <span>
 
+#include "formats/palette.h"
+
 namespace temblor::render {
 
 enum class PixelFormat { kIndexed, kRgb };
+
+// 0xffRRGGBB.
+constexpr std::uint32_t to_rgb(formats::Rgb colour) {
+  return 0xff000000u | static_cast<std::uint32_t>(colour.r) << 16 |
+         static_cast<std::uint32_t>(colour.g) << 8 | colour.b;
+}
 
 // Pixels and depth of one picture. Rows follow one another, `width` elements each.
 class FrameBuffer {

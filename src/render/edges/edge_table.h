@@ -1,0 +1,64 @@
+// Stage 3. VisibleFaces and brush models -> EdgeTable: every drawn face's outline on the screen, an edge
+// between two neighbours stored once (Abrash, "Sorted Spans in Action").
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/arena.h"
+#include "render/scene.h"
+#include "render/view/model_view.h"
+#include "render/view/visible_faces.h"
+
+namespace temblor::render {
+
+enum class SurfaceIndex : std::uint32_t {};
+constexpr SurfaceIndex kBackground{0};
+
+// Row y, from first_row to last_row, is crossed at x = base + step * y: computed, never accumulated, so that
+// a band of rows may start anywhere. Pixels with centres at or right of x lie right of the edge. Going right,
+// `trailing` ends here and `leading` begins (kBackground: none).
+struct Edge {
+  double base, step;
+  std::int32_t first_row, last_row;
+  SurfaceIndex leading, trailing;
+};
+
+// Lit faces are cut into surfaces of at most this many texels (of mip 0) each way.
+constexpr int kTileTexels = 256;
+struct TileGrid {
+  std::uint16_t s = 1, t = 1;
+};
+TileGrid tile_grid(const world::Face& face);
+
+// One face on the screen, or one piece of a brush model's face.
+struct ScreenSurface {
+  SortKey key;             // the background has the largest
+  std::uint32_t instance;  // 0: the world; i + 1: Scene::brush_models[i]
+  world::FaceIndex face;
+  std::uint32_t first_item;  // what a span of it is drawn from: first_item + tile number
+  TileGrid tiles;
+  std::uint32_t piece;  // into EdgeTable::pieces, for brush models
+  // Smallest distance along the view of its corners, when all of them are on the screen; else 0.
+  float nearest_z;
+};
+
+// What decides between brush models in one leaf.
+struct Piece {
+  ScreenPlane depth;
+};
+
+struct EdgeTable {
+  std::span<const Edge> edges;
+  // Edge numbers by first row: those of row y are order[row_begin[y]] .. order[row_begin[y + 1] - 1].
+  std::span<const std::uint32_t> order, row_begin;
+  std::span<const ScreenSurface> surfaces;  // by SurfaceIndex; 0 is the background
+  std::span<const Piece> pieces;
+  std::span<const ModelView> model_views;  // by ScreenSurface::instance; 0 is the world's
+  std::uint32_t item_count = 0;            // item 0 is the background
+};
+
+EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFaces& visible,
+                     base::Arena& arena);
+
+}  // namespace temblor::render

@@ -1,0 +1,179 @@
+// Hot loop. Abrash, "Sorted Spans in Action": on each scan line the active edges are walked from left to
+// right, and a stack of surfaces, sorted by key, tells which is in front; when that changes, a span ends.
+//
+// Nothing depends on the order in which edges at one pixel are met: a surface counts the edges that it is
+// inside of, and a span that would be empty is not made.
+#include "render/edges/scan_band.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace temblor::render {
+
+namespace {
+
+struct ActiveEdge {
+  double x;  // on this row
+  double base, step;
+  std::uint32_t number;
+  std::int32_t last_row;
+  SurfaceIndex leading, trailing;
+
+  // A total order, so that it does not matter where a band began.
+  bool before(const ActiveEdge& other) const {
+    return x < other.x || (x == other.x && number < other.number);
+  }
+};
+
+// A surface's place in the stack on the row being scanned.
+struct StackEntry {
+  std::int32_t row = -1;    // the row that the rest is about
+  std::int32_t inside = 0;  // leading edges passed, less trailing ones
+  std::uint32_t nearer = 0, farther = 0;
+  SortKey key = 0;
+  std::uint32_t piece = 0;
+};
+
+class BandScan {
+ public:
+  BandScan(const EdgeTable& table, int width, base::Arena& arena, base::ArenaVector<ScannedSpan>& io_spans)
+      : table_(table),
+        width_(width),
+        spans_(io_spans),
+        active_(arena, 512),
+        stack_(arena.allocate<StackEntry>(table.surfaces.size())) {
+    for (std::size_t i = 0; i < stack_.size(); ++i) {
+      stack_[i] = StackEntry{};
+      stack_[i].key = table.surfaces[i].key;
+      stack_[i].piece = table.surfaces[i].piece;
+    }
+  }
+
+  // Edges that began above the band.
+  void enter_running_edges(int row) {
+    const std::uint32_t begun = table_.row_begin[static_cast<std::size_t>(row)];
+    for (std::uint32_t i = 0; i < begun; ++i)
+      if (table_.edges[table_.order[i]].last_row >= row) enter(table_.order[i]);
+  }
+
+  void scan_row(int row) {
+    for (std::uint32_t i = table_.row_begin[static_cast<std::size_t>(row)];
+         i < table_.row_begin[static_cast<std::size_t>(row) + 1]; ++i)
+      enter(table_.order[i]);
+    advance_to(row);
+    row_ = row;
+    top_ = kBottom;
+    span_start_ = 0;
+    stack_[kBottom] = {row, 1, kBottom, kBottom, stack_[kBottom].key, 0};
+    for (const ActiveEdge& edge : active_) {
+      const int pixel = edge.x <= 0 ? 0 : static_cast<int>(std::ceil(std::min<double>(edge.x, width_)));
+      if (pixel >= width_) break;
+      if (edge.trailing != kBackground) leave(static_cast<std::uint32_t>(edge.trailing), pixel);
+      if (edge.leading != kBackground) begin(static_cast<std::uint32_t>(edge.leading), pixel);
+    }
+    end_span(width_);
+  }
+
+ private:
+  static constexpr std::uint32_t kBottom = 0;  // the background's place in the stack
+
+  void enter(std::uint32_t number) {
+    const Edge& edge = table_.edges[number];
+    active_.push_back({0, edge.base, edge.step, number, edge.last_row, edge.leading, edge.trailing});
+  }
+
+  // Drops edges that have ended and sorts the rest where they cross this row. Few change places from one row
+  // to the next, so insertion it is.
+  void advance_to(int row) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+      ActiveEdge edge = active_[i];
+      if (edge.last_row < row) continue;
+      edge.x = edge.base + edge.step * row;
+      std::size_t place = kept++;
+      for (; place > 0 && edge.before(active_[place - 1]); --place) active_[place] = active_[place - 1];
+      active_[place] = edge;
+    }
+    active_.shrink(kept);
+  }
+
+  void end_span(int pixel) {
+    if (pixel > span_start_)
+      spans_.push_back({static_cast<SurfaceIndex>(top_), static_cast<std::uint16_t>(span_start_),
+                        static_cast<std::uint16_t>(row_), static_cast<std::uint16_t>(pixel - span_start_)});
+    span_start_ = pixel;
+  }
+
+  StackEntry& entry(std::uint32_t surface) {
+    StackEntry& found = stack_[surface];
+    if (found.row != row_) {
+      found.row = row_;
+      found.inside = 0;
+    }
+    return found;
+  }
+
+  void leave(std::uint32_t surface, int pixel) {
+    StackEntry& left = entry(surface);
+    if (--left.inside != 0) return;
+    if (surface == top_) {
+      end_span(pixel);
+      top_ = left.farther;
+    } else {
+      stack_[left.nearer].farther = left.farther;
+      stack_[left.farther].nearer = left.nearer;
+    }
+  }
+
+  void begin(std::uint32_t surface, int pixel) {
+    StackEntry& begun = entry(surface);
+    if (++begun.inside != 1) return;
+    std::uint32_t below = top_;
+    if (in_front(begun, stack_[below], pixel)) {
+      end_span(pixel);
+      begun.farther = top_;
+      stack_[top_].nearer = surface;
+      top_ = surface;
+      return;
+    }
+    do below = stack_[below].farther;
+    while (!in_front(begun, stack_[below], pixel));
+    begun.farther = below;
+    begun.nearer = stack_[below].nearer;
+    stack_[begun.nearer].farther = surface;
+    stack_[below].nearer = surface;
+  }
+
+  // Brush models in one leaf have the same key: the nearer one is in front, and where two touch (within one
+  // part in a hundred), the one that comes nearer towards the right.
+  bool in_front(const StackEntry& begun, const StackEntry& other, int pixel) const {
+    if (begun.key != other.key) return begun.key < other.key;
+    const ScreenPlane& plane = table_.pieces[begun.piece].depth;
+    const ScreenPlane& other_plane = table_.pieces[other.piece].depth;
+    const double depth = plane.at(pixel, row_), other_depth = other_plane.at(pixel, row_);
+    // Orthographic depths are negative, so the tolerance goes by the size of the number.
+    const double tolerance = 0.01 * std::abs(depth);
+    if (depth - tolerance >= other_depth) return true;
+    return depth + tolerance >= other_depth && plane.dx >= other_plane.dx;
+  }
+
+  const EdgeTable& table_;
+  const int width_;
+  base::ArenaVector<ScannedSpan>& spans_;
+  base::ArenaVector<ActiveEdge> active_;
+  std::span<StackEntry> stack_;
+  int row_ = 0;
+  std::uint32_t top_ = kBottom;
+  int span_start_ = 0;
+};
+
+}  // namespace
+
+void scan_band(const EdgeTable& table, int first_row, int row_count, int width, base::Arena& arena,
+               base::ArenaVector<ScannedSpan>& io_spans) {
+  BandScan scan(table, width, arena, io_spans);
+  scan.enter_running_edges(first_row);
+  for (int row = first_row; row < first_row + row_count; ++row) scan.scan_row(row);
+}
+
+}  // namespace temblor::render

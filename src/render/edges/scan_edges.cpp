@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cmath>
+
+#include "render/edges/scan_band.h"
+#include "render/edges/span_table.h"
+
+namespace temblor::render {
+
+namespace {
+
+// Texture coordinates of a face that is cut into tiles, in texels of mip 0 from its first one.
+struct TilePlanes {
+  ScreenPlane depth, s, t;
+};
+
+// By surface; null for surfaces of one tile.
+std::span<const TilePlanes*> make_tile_planes(const EdgeTable& table, const Scene& scene,
+                                              const ViewFrame& view, base::Arena& arena) {
+  std::span<const TilePlanes*> planes =
+      arena.allocate_filled<const TilePlanes*>(table.surfaces.size(), nullptr);
+  for (std::size_t i = 1; i < table.surfaces.size(); ++i) {
+    const ScreenSurface& surface = table.surfaces[i];
+    if (surface.tiles.s == 1 && surface.tiles.t == 1) continue;
+    const FacePlacement placed =
+        place_face(*scene.level, scene.level->face(surface.face), table.model_views[surface.instance]);
+    std::span<TilePlanes> room = arena.allocate<TilePlanes>(1);
+    room[0].depth = depth_plane(view, placed.normal, placed.distance);
+    room[0].s = coordinate_plane(view, room[0].depth, placed.s_axis, placed.s_offset);
+    room[0].t = coordinate_plane(view, room[0].depth, placed.t_axis, placed.t_offset);
+    planes[i] = room.data();
+  }
+  return planes;
+}
+
+// One texture coordinate along a scan line, as (a + b i) / (c + d i), i counting from the span's first pixel.
+struct Along {
+  double a, b, c, d;
+
+  static Along of(const ScreenPlane& coordinate, const ScreenPlane& depth, bool perspective, int x, int y) {
+    if (!perspective) return {coordinate.at(x, y), coordinate.dx, 1, 0};
+    return {coordinate.at(x, y), coordinate.dx, depth.at(x, y), depth.dx};
+  }
+  int tile(int i, int tiles) const {
+    const double texel = (a + b * i) / (c + d * i);
+    return static_cast<int>(std::clamp(std::floor(texel / kTileTexels), 0.0, tiles - 1.0));
+  }
+  // The first pixel after i that lies in another tile than i's, `tile`; `end` when that is never.
+  int tile_end(int i, int tile, int tiles, int end) const {
+    const bool rising = b * c - a * d > 0;  // of constant sign along a line
+    if (rising ? tile + 1 >= tiles : tile == 0) return end;
+    const double border = (rising ? tile + 1 : tile) * static_cast<double>(kTileTexels);
+    const double slope = b - border * d;
+    if (slope == 0) return end;
+    const double at = std::ceil((border * c - a) / slope);
+    return static_cast<int>(std::clamp(at, i + 1.0, std::max<double>(i + 1, end)));
+  }
+};
+
+struct ItemSpan {
+  std::uint32_t item;
+  SpanRun run;
+};
+
+void split_at_tiles(const ScannedSpan& span, const ScreenSurface& surface, const TilePlanes& planes,
+                    bool perspective, base::ArenaVector<ItemSpan>& io_spans) {
+  const Along s = Along::of(planes.s, planes.depth, perspective, span.x, span.y);
+  const Along t = Along::of(planes.t, planes.depth, perspective, span.x, span.y);
+  for (int i = 0; i < span.count;) {
+    const int tile_s = s.tile(i, surface.tiles.s), tile_t = t.tile(i, surface.tiles.t);
+    const int end = std::min({s.tile_end(i, tile_s, surface.tiles.s, span.count),
+                              t.tile_end(i, tile_t, surface.tiles.t, span.count), int{span.count}});
+    const std::uint32_t tile =
+        static_cast<std::uint32_t>(tile_t) * surface.tiles.s + static_cast<std::uint32_t>(tile_s);
+    io_spans.push_back(
+        {surface.first_item + tile,
+         {static_cast<std::uint16_t>(span.x + i), span.y, static_cast<std::uint16_t>(end - i)}});
+    i = end;
+  }
+}
+
+// Counting sort by item; within one, spans keep their order: by row, then from the left.
+Band group_by_item(std::span<const ItemSpan> spans, std::uint32_t item_count, int first_row, int row_count,
+                   base::Arena& arena) {
+  std::span<std::uint32_t> count = arena.allocate_filled<std::uint32_t>(item_count, 0);
+  std::uint32_t used = 0;
+  for (const ItemSpan& span : spans) used += count[span.item]++ == 0;
+  std::span<std::uint32_t> items = arena.allocate<std::uint32_t>(used);
+  std::span<std::uint32_t> run_begin = arena.allocate<std::uint32_t>(used + 1);
+  std::uint32_t position = 0, runs_before = 0;
+  for (std::uint32_t item = 0; item < item_count; ++item) {
+    if (count[item] == 0) continue;
+    items[position] = item;
+    run_begin[position++] = runs_before;
+    runs_before += std::exchange(count[item], runs_before);  // from now on: where its next run goes
+  }
+  run_begin[used] = runs_before;
+  std::span<SpanRun> runs = arena.allocate<SpanRun>(spans.size());
+  for (const ItemSpan& span : spans) runs[count[span.item]++] = span.run;
+  return {first_row, row_count, runs, items, run_begin};
+}
+
+}  // namespace
+
+SpanTable scan_edges(const EdgeTable& table, const Scene& scene, const ViewFrame& view, int band_rows,
+                     base::Jobs& jobs, base::Arena& arena, std::vector<base::Arena>& io_band_arenas) {
+  const std::size_t band_count = static_cast<std::size_t>((view.height + band_rows - 1) / band_rows);
+  if (io_band_arenas.size() < band_count) io_band_arenas.resize(band_count);
+  const std::span<const TilePlanes*> tile_planes = make_tile_planes(table, scene, view, arena);
+  std::span<Band> bands = arena.allocate<Band>(band_count);
+  jobs.parallel_for(band_count, [&](std::size_t i) {
+    base::Arena& band_arena = io_band_arenas[i];
+    band_arena.reset();
+    const int first_row = static_cast<int>(i) * band_rows;
+    const int row_count = std::min(band_rows, view.height - first_row);
+    base::ArenaVector<ScannedSpan> scanned(band_arena, 4096);
+    scan_band(table, first_row, row_count, view.width, band_arena, scanned);
+    base::ArenaVector<ItemSpan> spans(band_arena, scanned.size() + 64);
+    for (const ScannedSpan& span : scanned) {
+      const std::size_t number = base::to_size(span.surface);
+      const ScreenSurface& surface = table.surfaces[number];
+      if (tile_planes[number] != nullptr)
+        split_at_tiles(span, surface, *tile_planes[number], view.perspective, spans);
+      else
+        spans.push_back({surface.first_item, {span.x, span.y, span.count}});
+    }
+    bands[i] = group_by_item(spans.view(), table.item_count, first_row, row_count, band_arena);
+  });
+  return {bands};
+}
+
+}  // namespace temblor::render

@@ -1,0 +1,35 @@
+// Stage 4. EdgeTable -> SpanTable: every pixel of the screen given to exactly one surface.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/arena.h"
+#include "base/parallel_for.h"
+#include "render/edges/edge_table.h"
+
+namespace temblor::render {
+
+// Pixels (x, y) to (x + count - 1, y).
+struct SpanRun {
+  std::uint16_t x, y, count;
+};
+
+// A band of scan lines, and the spans in it grouped by item: one surface, or one tile of a large one.
+struct Band {
+  int first_row, row_count;
+  std::span<const SpanRun> runs;
+  std::span<const std::uint32_t> items;      // that have runs here, increasing
+  std::span<const std::uint32_t> run_begin;  // by position in `items`, and one more at the end
+};
+
+struct SpanTable {
+  std::span<const Band> bands;
+};
+
+// Each band's memory comes from its own arena: one job a band. `io_band_arenas` grows as needed.
+SpanTable scan_edges(const EdgeTable& table, const Scene& scene, const ViewFrame& view, int band_rows,
+                     base::Jobs& jobs, base::Arena& arena, std::vector<base::Arena>& io_band_arenas);
+
+}  // namespace temblor::render

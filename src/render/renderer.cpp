@@ -1,0 +1,182 @@
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include "base/arena.h"
+#include "base/check.h"
+#include "render/edges/edge_table.h"
+#include "render/edges/span_table.h"
+#include "render/screen/show.h"
+#include "render/spans/draw_spans.h"
+#include "render/surfaces/draw_items.h"
+#include "render/surfaces/surface_cache.h"
+#include "render/view/level_tables.h"
+#include "render/view/view_frame.h"
+#include "render/view/visible_faces.h"
+
+namespace temblor::render {
+
+namespace {
+
+// Ticks of the processor's clock where it has one that user programs may read; else 0.
+std::uint64_t read_cycles() {
+#if defined(__x86_64__)
+  return __builtin_ia32_rdtsc();
+#else
+  return 0;
+#endif
+}
+
+// Books time to the stage that just ended.
+class StageClock {
+ public:
+  explicit StageClock(FrameStats& io_stats) : stats_(io_stats) {}
+  void end(Stage stage) {
+    const auto now = std::chrono::steady_clock::now();
+    const std::uint64_t cycles = read_cycles();
+    const std::size_t i = static_cast<std::size_t>(stage);
+    stats_.stage_ms[i] += std::chrono::duration<double, std::milli>(now - last_).count();
+    stats_.stage_cycles[i] += static_cast<double>(cycles - last_cycles_);
+    last_ = now;
+    last_cycles_ = cycles;
+  }
+
+ private:
+  FrameStats& stats_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  std::uint64_t last_cycles_ = read_cycles();
+};
+
+// As many rows as keep a band's pixels within the second-level cache, and bands enough for every thread.
+int choose_band_rows(const Settings& settings, int width, int height, PixelFormat format) {
+  if (settings.band_rows > 0) return std::min(settings.band_rows, height);
+  constexpr int kBandBytes = 768 << 10;
+  constexpr int kBandsAThread = 6;
+  const int row_bytes = width * (format == PixelFormat::kIndexed ? 5 : 8);
+  int rows = std::clamp(kBandBytes / row_bytes, 8, 256);
+  if (settings.threads > 1) rows = std::min(rows, std::max(8, height / (settings.threads * kBandsAThread)));
+  return std::min(rows, height);
+}
+
+void count_seen(const EdgeTable& edges, const SpanTable& spans, const DrawItems& items,
+                FrameStats& io_stats) {
+  for (const Band& band : spans.bands) io_stats.spans += static_cast<std::uint32_t>(band.runs.size());
+  for (std::size_t i = 1; i < edges.surfaces.size(); ++i) {
+    const ScreenSurface& surface = edges.surfaces[i];
+    const auto own = items.items.subspan(surface.first_item, std::size_t{surface.tiles.s} * surface.tiles.t);
+    io_stats.faces_seen += std::any_of(own.begin(), own.end(),
+                                       [](const DrawItem& item) { return item.kind != ItemKind::kUnused; });
+  }
+}
+
+}  // namespace
+
+struct Renderer::State {
+  formats::Palette palette;
+  BuildTables build_tables;
+  std::optional<base::Jobs> jobs;
+  base::JobBackend job_backend{};
+  base::Arena arena;
+  std::vector<base::Arena> band_arenas, job_arenas;
+  std::vector<std::uint8_t> pvs_row;
+  const world::Level* level = nullptr;
+  LevelTables level_tables;
+  SurfaceCache cache;
+
+  // The last frame, for pixel_faces: it lives in the arenas until the next one.
+  int width = 0, height = 0;
+  EdgeTable edges;
+  SpanTable spans;
+  DrawItems items;
+
+  void follow_settings(const Settings& settings) {
+    const int threads = std::max(1, settings.threads);
+    if (jobs && jobs->threads() == threads && job_backend == settings.job_backend) return;
+    jobs.emplace(threads, settings.job_backend);
+    job_backend = settings.job_backend;
+  }
+  void follow_level(const world::Level& now) {
+    if (level == &now) return;
+    level = &now;
+    level_tables = make_level_tables(now);
+  }
+};
+
+Renderer::Renderer(const formats::Palette& palette, const formats::Colormap& colormap)
+    : state_(std::make_unique<State>()) {
+  state_->palette = palette;
+  state_->build_tables = make_build_tables(palette, colormap);
+}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+FrameStats Renderer::render(const Scene& scene, const Settings& settings, FrameBuffer& io_frame) {
+  State& s = *state_;
+  FrameStats stats;
+  s.follow_settings(settings);
+  s.follow_level(*scene.level);
+  s.arena.reset();
+  const int width = io_frame.width(), height = io_frame.height();
+  CHECK(width >= 1 && width <= 8192 && height >= 1 && height <= 8192, "{}x{}", width, height);
+  const int band_rows = choose_band_rows(settings, width, height, io_frame.format());
+
+  StageClock clock(stats);
+  const ViewFrame view = make_view_frame(scene, width, height);
+  clock.end(Stage::kView);
+  const VisibleFaces visible =
+      find_visible_faces(*scene.level, s.level_tables, view, settings.use_pvs, s.arena, s.pvs_row);
+  clock.end(Stage::kVisibility);
+  s.edges = emit_edges(scene, view, visible, s.arena);
+  clock.end(Stage::kEdges);
+  s.spans = scan_edges(s.edges, scene, view, band_rows, *s.jobs, s.arena, s.band_arenas);
+  clock.end(Stage::kScan);
+  s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.build_tables, io_frame.format(),
+                             *s.jobs, s.arena, s.job_arenas, s.cache, stats);
+  clock.end(Stage::kSurfaces);
+  draw_spans(scene, settings, view, s.spans, s.items, s.build_tables, *s.jobs, s.job_arenas, io_frame);
+  clock.end(Stage::kSpans);
+
+  if (settings.show != Show::kPicture)
+    draw_shown(settings.show, {view, s.edges, s.spans, s.items}, s.palette, io_frame);
+  s.width = width;
+  s.height = height;
+  stats.faces_in_pvs = visible.faces_in_pvs;
+  stats.faces_drawn = static_cast<std::uint32_t>(s.edges.surfaces.size() - 1);
+  stats.edges = static_cast<std::uint32_t>(s.edges.edges.size());
+  stats.bands = static_cast<std::uint32_t>(s.spans.bands.size());
+  count_seen(s.edges, s.spans, s.items, stats);
+  return stats;
+}
+
+void Renderer::pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_t> out_writes) const {
+  const State& s = *state_;
+  const std::size_t pixels = static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height);
+  CHECK(out_faces.size() == pixels && out_writes.size() == pixels, "{} pixels", pixels);
+  std::fill(out_writes.begin(), out_writes.end(), std::uint8_t{0});
+  for (const Band& band : s.spans.bands)
+    for (std::size_t position = 0; position < band.items.size(); ++position) {
+      const ScreenSurface& surface =
+          s.edges.surfaces[base::to_size(s.items.items[band.items[position]].surface)];
+      const PixelFace face = band.items[position] == 0
+                                 ? PixelFace{PixelFace::kNothing, 0}
+                                 : PixelFace{surface.instance, static_cast<std::uint32_t>(surface.face)};
+      for (std::uint32_t i = band.run_begin[position]; i < band.run_begin[position + 1]; ++i) {
+        const std::size_t first =
+            std::size_t{band.runs[i].y} * static_cast<std::size_t>(s.width) + band.runs[i].x;
+        for (std::size_t pixel = first; pixel < first + band.runs[i].count; ++pixel) {
+          out_faces[pixel] = face;
+          ++out_writes[pixel];
+        }
+      }
+    }
+}
+
+void Renderer::drop_surfaces() {
+  state_->cache.forget();
+}
+
+}  // namespace temblor::render

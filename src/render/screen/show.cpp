@@ -1,0 +1,167 @@
+#include "render/screen/show.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace temblor::render {
+
+namespace {
+
+// Writes colours into either kind of frame.
+class Painter {
+ public:
+  Painter(const formats::Palette& palette, FrameBuffer& io_frame) : palette_(palette), frame_(io_frame) {}
+
+  void put(std::size_t pixel, formats::Rgb colour) {
+    if (frame_.format() == PixelFormat::kRgb)
+      frame_.rgb()[pixel] = to_rgb(colour);
+    else
+      frame_.indexed()[pixel] = nearest(colour);
+  }
+
+ private:
+  // The palette entry most like it; the last one found is remembered, for runs of one colour.
+  std::uint8_t nearest(formats::Rgb colour) {
+    if (colour == last_) return last_index_;
+    int best = std::numeric_limits<int>::max();
+    for (std::size_t i = 0; i < palette_.size(); ++i) {
+      const int r = palette_[i].r - colour.r, g = palette_[i].g - colour.g, b = palette_[i].b - colour.b;
+      if (const int distance = r * r + g * g + b * b; distance < best) {
+        best = distance;
+        last_index_ = static_cast<std::uint8_t>(i);
+      }
+    }
+    last_ = colour;
+    return last_index_;
+  }
+
+  const formats::Palette& palette_;
+  FrameBuffer& frame_;
+  formats::Rgb last_{1, 2, 3};
+  std::uint8_t last_index_ = 0;
+};
+
+// The same number, the same colour; neighbours differ well.
+formats::Rgb colour_of(std::uint32_t number) {
+  std::uint32_t mixed = number * 0x9e3779b9u;
+  mixed ^= mixed >> 15;
+  mixed *= 0x85ebca6bu;
+  mixed ^= mixed >> 13;
+  const auto channel = [&](int shift) {
+    return static_cast<std::uint8_t>(48 + (mixed >> shift & 255) * 207 / 255);
+  };
+  return {channel(0), channel(8), channel(16)};
+}
+
+formats::Rgb grey(double brightness) {
+  const auto value = static_cast<std::uint8_t>(std::clamp(brightness, 0.0, 1.0) * 255);
+  return {value, value, value};
+}
+
+constexpr formats::Rgb kMipColours[4] = {{220, 60, 50}, {230, 180, 40}, {70, 180, 80}, {60, 100, 220}};
+
+template <typename Body>  // Body(item number, run)
+void for_each_run(const SpanTable& spans, Body body) {
+  for (const Band& band : spans.bands)
+    for (std::size_t position = 0; position < band.items.size(); ++position)
+      for (std::uint32_t i = band.run_begin[position]; i < band.run_begin[position + 1]; ++i)
+        body(band.items[position], band.runs[i]);
+}
+
+std::size_t first_pixel(const FrameBuffer& frame, const SpanRun& run) {
+  return std::size_t{run.y} * static_cast<std::size_t>(frame.width()) + run.x;
+}
+
+// Every span in the colour that `colour` gives its item (and run).
+template <typename Colour>
+void fill_spans(const SpanTable& spans, Painter& painter, const FrameBuffer& frame, Colour colour) {
+  for_each_run(spans, [&](std::uint32_t item, const SpanRun& run) {
+    const formats::Rgb shown = colour(item, run);
+    for (std::size_t i = 0; i < run.count; ++i) painter.put(first_pixel(frame, run) + i, shown);
+  });
+}
+
+// The edge table's lines over the picture: white where two surfaces share one, yellow where it bounds one.
+void draw_edges(const EdgeTable& table, Painter& painter, const FrameBuffer& frame) {
+  for (const Edge& edge : table.edges) {
+    const bool shared = edge.leading != kBackground && edge.trailing != kBackground;
+    const formats::Rgb colour = shared ? formats::Rgb{255, 255, 255} : formats::Rgb{255, 220, 0};
+    for (std::int32_t row = edge.first_row; row <= edge.last_row; ++row) {
+      const double x = std::ceil(edge.base + edge.step * row);
+      // A flat edge covers several pixels of a row.
+      const double reach = std::min(std::abs(edge.step), static_cast<double>(frame.width()));
+      for (double at = x; at <= x + reach; ++at)
+        if (at >= 0 && at < frame.width())
+          painter.put(static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.width()) +
+                          static_cast<std::size_t>(at),
+                      colour);
+    }
+  }
+}
+
+// Nearer is brighter; the scale is that of the frame's own depths.
+void draw_depth(Painter& painter, FrameBuffer& io_frame) {
+  const float nothing = std::numeric_limits<float>::lowest();
+  float least = std::numeric_limits<float>::max(), most = nothing;
+  for (const float depth : io_frame.depth()) {
+    if (depth == nothing) continue;
+    least = std::min(least, depth);
+    most = std::max(most, depth);
+  }
+  const double range = std::max<double>(static_cast<double>(most) - static_cast<double>(least), 1e-12);
+  for (std::size_t i = 0; i < io_frame.pixel_count(); ++i) {
+    const float depth = io_frame.depth()[i];
+    const double brightness =
+        depth == nothing ? 0 : (static_cast<double>(depth) - static_cast<double>(least)) / range;
+    painter.put(i, grey(std::sqrt(brightness)));
+  }
+}
+
+}  // namespace
+
+void draw_shown(Show show, const ShownFrame& frame, const formats::Palette& palette, FrameBuffer& io_frame) {
+  Painter painter(palette, io_frame);
+  const auto surface_of = [&](std::uint32_t item) -> const ScreenSurface& {
+    return frame.edges.surfaces[base::to_size(frame.items.items[item].surface)];
+  };
+  switch (show) {
+    case Show::kPicture:
+      return;
+    case Show::kFaces:
+    case Show::kPvs:
+      return fill_spans(frame.spans, painter, io_frame, [&](std::uint32_t item, const SpanRun&) {
+        const ScreenSurface& surface = surface_of(item);
+        return item == 0 ? formats::Rgb{}
+                         : colour_of(static_cast<std::uint32_t>(surface.face) + surface.instance * 7919);
+      });
+    case Show::kSpans: {
+      std::uint32_t number = 0;
+      return fill_spans(frame.spans, painter, io_frame,
+                        [&](std::uint32_t, const SpanRun&) { return colour_of(++number); });
+    }
+    case Show::kSurfaces:
+      return fill_spans(frame.spans, painter, io_frame, [&](std::uint32_t item, const SpanRun&) {
+        return item == 0 ? formats::Rgb{} : colour_of(item);
+      });
+    case Show::kMips:
+      return fill_spans(frame.spans, painter, io_frame, [&](std::uint32_t item, const SpanRun&) {
+        return item == 0 ? formats::Rgb{} : kMipColours[frame.items.items[item].mip];
+      });
+    case Show::kOverdraw: {
+      std::fill_n(io_frame.depth().data(), io_frame.pixel_count(), 0.0f);
+      for_each_run(frame.spans, [&](std::uint32_t, const SpanRun& run) {
+        for (std::size_t i = 0; i < run.count; ++i) io_frame.depth()[first_pixel(io_frame, run) + i] += 1;
+      });
+      for (std::size_t i = 0; i < io_frame.pixel_count(); ++i)
+        painter.put(i, grey(static_cast<double>(io_frame.depth()[i]) / 4));
+      return;
+    }
+    case Show::kEdges:
+      return draw_edges(frame.edges, painter, io_frame);
+    case Show::kDepth:
+      return draw_depth(painter, io_frame);
+  }
+}
+
+}  // namespace temblor::render

@@ -1,0 +1,84 @@
+#include "render/spans/draw_spans.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "render/spans/span_kernels.h"
+#include "render/spans/texture_runs.h"
+
+namespace temblor::render {
+
+namespace {
+
+static_assert(sizeof(SpanRun) == sizeof(KernelRun));
+
+KernelPlane kernel_plane(const ScreenPlane& plane) {
+  return {plane.at_origin, plane.dx, plane.dy};
+}
+
+KernelDivide divide_of(const Settings& settings, const ViewFrame& view) {
+  if (!view.perspective) return KernelDivide::kNone;
+  return settings.perspective == Perspective::kExact ? KernelDivide::kEveryPixel : KernelDivide::kEvery16;
+}
+
+void draw_surface(const DrawItem& item, std::span<const SpanRun> runs, KernelDivide divide,
+                  bool vector_kernels, const KernelTarget& target, PixelFormat format) {
+  const SurfaceRuns job{kernel_plane(item.depth),
+                        kernel_plane(item.s),
+                        kernel_plane(item.t),
+                        divide,
+                        item.block.texels,
+                        item.block.shape.width,
+                        item.block.shape.width - 1,
+                        item.block.shape.height - 1,
+                        reinterpret_cast<const KernelRun*>(runs.data()),
+                        runs.size()};
+  if (format == PixelFormat::kIndexed)
+    vector_kernels ? draw_surface_runs_u8_vector(job, target) : draw_surface_runs_u8_plain(job, target);
+  else
+    vector_kernels ? draw_surface_runs_u32_vector(job, target) : draw_surface_runs_u32_plain(job, target);
+}
+
+// Where nothing is: palette entry 0, infinitely far.
+void draw_background(std::span<const SpanRun> runs, const BuildTables& tables, bool fill_depth,
+                     FrameBuffer& io_frame) {
+  for (const SpanRun& run : runs) {
+    const std::size_t first = std::size_t{run.y} * static_cast<std::size_t>(io_frame.width()) + run.x;
+    if (io_frame.format() == PixelFormat::kIndexed)
+      std::fill_n(io_frame.indexed().data() + first, run.count, std::uint8_t{0});
+    else
+      std::fill_n(io_frame.rgb().data() + first, run.count, tables.rgb[0]);
+    if (fill_depth)
+      std::fill_n(io_frame.depth().data() + first, run.count, std::numeric_limits<float>::lowest());
+  }
+}
+
+}  // namespace
+
+void draw_spans(const Scene& scene, const Settings& settings, const ViewFrame& view, const SpanTable& spans,
+                const DrawItems& items, const BuildTables& tables, base::Jobs& jobs,
+                std::vector<base::Arena>& io_job_arenas, FrameBuffer& io_frame) {
+  const KernelDivide divide = divide_of(settings, view);
+  const TextureRunFrame texture_frame = make_texture_run_frame(scene, settings, view, tables);
+  const bool indexed = io_frame.format() == PixelFormat::kIndexed;
+  const KernelTarget target{indexed ? static_cast<void*>(io_frame.indexed().data()) : io_frame.rgb().data(),
+                            settings.fill_depth ? io_frame.depth().data() : nullptr,
+                            static_cast<std::size_t>(io_frame.width())};
+  if (io_job_arenas.size() < spans.bands.size()) io_job_arenas.resize(spans.bands.size());
+  jobs.parallel_for(spans.bands.size(), [&](std::size_t number) {
+    const Band& band = spans.bands[number];
+    for (std::size_t position = 0; position < band.items.size(); ++position) {
+      const DrawItem& item = items.items[band.items[position]];
+      const std::span<const SpanRun> runs = band.runs.subspan(
+          band.run_begin[position], band.run_begin[position + 1] - band.run_begin[position]);
+      if (item.kind == ItemKind::kSurface)
+        draw_surface(item, runs, divide, settings.vector_kernels, target, io_frame.format());
+      else if (item.kind == ItemKind::kNothing)
+        draw_background(runs, tables, settings.fill_depth, io_frame);
+      else
+        draw_texture_runs(texture_frame, item, runs, io_job_arenas[number], io_frame);
+    }
+  });
+}
+
+}  // namespace temblor::render

@@ -1,0 +1,17 @@
+// Stage 6. SpanTable and DrawItems -> pixels and depth. Bands are drawn independently of one another.
+#pragma once
+
+#include <vector>
+
+#include "base/arena.h"
+#include "base/parallel_for.h"
+#include "render/frame.h"
+#include "render/surfaces/draw_items.h"
+
+namespace temblor::render {
+
+void draw_spans(const Scene& scene, const Settings& settings, const ViewFrame& view, const SpanTable& spans,
+                const DrawItems& items, const BuildTables& tables, base::Jobs& jobs,
+                std::vector<base::Arena>& io_job_arenas, FrameBuffer& io_frame);
+
+}  // namespace temblor::render

@@ -1,0 +1,123 @@
+// Hot loop.
+#include <cmath>
+
+#include "render/spans/span_kernels.h"
+
+namespace temblor::render {
+
+namespace {
+
+// Nearness never reaches zero on a face in view; rounding may bring it there.
+constexpr float kFarthest = 1e-20f;
+constexpr int kAffinePixels = 16;
+
+float at(const KernelPlane& plane, const KernelRun& run) {
+  return static_cast<float>(plane.at_origin + plane.dx * run.x + plane.dy * run.y);
+}
+
+float larger(float a, float b) {
+  return a > b ? a : b;
+}
+float smaller(float a, float b) {
+  return a < b ? a : b;
+}
+
+std::int32_t clamped(float texel, std::int32_t last) {
+  return static_cast<std::int32_t>(smaller(larger(texel, 0.0f), static_cast<float>(last)));
+}
+
+template <typename Texel>
+class RunDrawer {
+ public:
+  RunDrawer(const SurfaceRuns& runs, const KernelTarget& target) : runs_(runs), target_(target) {}
+
+  void draw(const KernelRun& run) {
+    const std::size_t first = run.y * target_.width + run.x;
+    out_ = static_cast<Texel*>(target_.pixels) + first;
+    const float depth = at(runs_.depth, run), s = at(runs_.s, run), t = at(runs_.t, run);
+    const float depth_step = static_cast<float>(runs_.depth.dx);
+    const float s_step = static_cast<float>(runs_.s.dx), t_step = static_cast<float>(runs_.t.dx);
+    if (target_.depth != nullptr) fill_depth(target_.depth + first, depth, depth_step, run.count);
+    for (int i = 0; i < run.count; ++i) {
+      const float lane = static_cast<float>(i);
+      if (runs_.divide == KernelDivide::kNone) {
+        put(i, s + lane * s_step, t + lane * t_step);
+      } else if (runs_.divide == KernelDivide::kEveryPixel) {
+        const float z = 1.0f / larger(depth + lane * depth_step, kFarthest);
+        put(i, (s + lane * s_step) * z, (t + lane * t_step) * z);
+      } else {
+        const int last = run.count - i < kAffinePixels ? run.count - i : kAffinePixels;
+        draw_affine(i, last, depth, depth_step, s, s_step, t, t_step);
+        i += last - 1;
+      }
+    }
+  }
+
+ private:
+  static void fill_depth(float* out, float depth, float step, int count) {
+    for (int i = 0; i < count; ++i) out[i] = depth + static_cast<float>(i) * step;
+  }
+
+  void put(int i, float s, float t) {
+    const std::int32_t texel = clamped(t, runs_.last_t) * runs_.texels_a_row + clamped(s, runs_.last_s);
+    out_[i] = static_cast<const Texel*>(runs_.texels)[texel];
+  }
+
+  // Up to sixteen pixels between two exact points.
+  void draw_affine(int first, int count, float depth, float depth_step, float s, float s_step, float t,
+                   float t_step) {
+    const float lane = static_cast<float>(first), end = static_cast<float>(first + count - 1);
+    const float z_first = 1.0f / larger(depth + lane * depth_step, kFarthest);
+    const float z_end = 1.0f / larger(depth + end * depth_step, kFarthest);
+    const float s_first = (s + lane * s_step) * z_first, t_first = (t + lane * t_step) * z_first;
+    const float pixels = static_cast<float>(count > 1 ? count - 1 : 1);
+    const float s_pixel = ((s + end * s_step) * z_end - s_first) / pixels;
+    const float t_pixel = ((t + end * t_step) * z_end - t_first) / pixels;
+    for (int i = 0; i < count; ++i)
+      put(first + i, s_first + static_cast<float>(i) * s_pixel, t_first + static_cast<float>(i) * t_pixel);
+  }
+
+  const SurfaceRuns& runs_;
+  const KernelTarget& target_;
+  Texel* out_ = nullptr;
+};
+
+template <typename Texel>
+void draw_surface_runs(const SurfaceRuns& runs, const KernelTarget& target) {
+  RunDrawer<Texel> drawer(runs, target);
+  for (std::size_t i = 0; i < runs.run_count; ++i) drawer.draw(runs.runs[i]);
+}
+
+}  // namespace
+
+void draw_surface_runs_u8_plain(const SurfaceRuns& runs, const KernelTarget& target) {
+  draw_surface_runs<std::uint8_t>(runs, target);
+}
+void draw_surface_runs_u32_plain(const SurfaceRuns& runs, const KernelTarget& target) {
+  draw_surface_runs<std::uint32_t>(runs, target);
+}
+
+void find_coordinates_plain(const CoordinateRun& run) {
+  for (std::int32_t i = 0; i < run.count; ++i) {
+    const float lane = static_cast<float>(i);
+    const float depth = run.depth + lane * run.depth_step;
+    if (run.out_depth != nullptr) run.out_depth[i] = depth;
+    const float z = run.divide ? 1.0f / larger(depth, kFarthest) : 1.0f;
+    run.out_s[i] = (run.s + lane * run.s_step) * z;
+    run.out_t[i] = (run.t + lane * run.t_step) * z;
+  }
+}
+
+void find_sky_coordinates_plain(const SkyRun& run) {
+  for (std::int32_t i = 0; i < run.count; ++i) {
+    const float lane = static_cast<float>(i);
+    const float x = run.forward[0] + lane * run.step[0];
+    const float y = run.forward[1] + lane * run.step[1];
+    const float z = (run.forward[2] + lane * run.step[2]) * 3.0f;
+    const float stretch = run.scale / std::sqrt(x * x + y * y + z * z);
+    run.out_s[i] = x * stretch;
+    run.out_t[i] = y * stretch;
+  }
+}
+
+}  // namespace temblor::render

@@ -1,0 +1,45 @@
+// One block: texture x light. Abrash, "Surface Caching".
+//
+// Light is worked out at the light map's samples (one every 16 texels), all styles summed, then interpolated:
+// down the sample columns first, then along each row. Numbers per sample:
+//   indexed: t = (65280 - sum) >> 2, at least 64; colormap row = t >> 8 (the original's arithmetic)
+//   rgb, for red, green, blue: h = min(sum, 65280) >> 1, so that 16384 shows a colour as it is, and
+//        channel = min(255, (2 * colour * h + 16384) >> 15)
+// where sum = sample x style value over the face's styles (256: the light as stored). Between two samples a
+// and b, i of n texels along: a + (((b - a) * i * (2048 * 16 / n) + 16384) >> 15), n = 16 >> mip.
+// Full-bright palette entries keep their colour.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/arena.h"
+#include "formats/palette.h"
+#include "render/frame.h"
+#include "render/surfaces/surface_block.h"
+#include "render/surfaces/surface_cache.h"
+
+namespace temblor::render {
+
+// The look of a game, as the builder and the span drawers read it.
+struct BuildTables {
+  formats::Colormap colormap;
+  std::array<std::uint32_t, 256> rgb;  // 0xffRRGGBB
+  int first_fullbright;                // palette entries from here on are not lit
+};
+BuildTables make_build_tables(const formats::Palette& palette, const formats::Colormap& colormap);
+
+struct BlockRequest {
+  world::FaceIndex face;
+  std::uint16_t tile_s, tile_t;
+  int mip;
+  BlockContents contents;
+  SurfaceBlock block;
+};
+
+SurfaceShape surface_shape(const world::Face& face, int tile_s, int tile_t, int mip);
+
+void build_surface(const world::Level& level, const BuildTables& tables, const BlockRequest& request,
+                   PixelFormat format, bool vector_kernels, base::Arena& scratch);
+
+}  // namespace temblor::render

@@ -1,0 +1,245 @@
+#include <algorithm>
+
+#include "render/surfaces/build_surface.h"
+#include "render/surfaces/choose_mip.h"
+#include "render/surfaces/draw_items.h"
+
+namespace temblor::render {
+
+namespace {
+
+ScreenPlane scaled(const ScreenPlane& plane, double factor) {
+  return {plane.at_origin * factor, plane.dx * factor, plane.dy * factor};
+}
+
+// plane + offset * depth: moves the origin of a texture coordinate (over z, in perspective).
+ScreenPlane shifted(const ViewFrame& view, const ScreenPlane& plane, const ScreenPlane& depth,
+                    double offset) {
+  if (!view.perspective) return {plane.at_origin + offset, plane.dx, plane.dy};
+  return {plane.at_origin + offset * depth.at_origin, plane.dx + offset * depth.dx,
+          plane.dy + offset * depth.dy};
+}
+
+// One job's surfaces: few enough to spread well over the workers.
+constexpr std::size_t kSurfacesAJob = 32;
+
+class Preparation {
+ public:
+  Preparation(const Scene& scene, const Settings& settings, const ViewFrame& view, const EdgeTable& table,
+              const SpanTable& spans, PixelFormat format, base::Arena& arena)
+      : scene_(scene),
+        level_(*scene.level),
+        settings_(settings),
+        view_(view),
+        table_(table),
+        spans_(spans),
+        format_(format),
+        arena_(arena),
+        items_(arena.allocate_filled<DrawItem>(table.item_count, DrawItem{})) {}
+
+  // Marks what got spans.
+  void collect() {
+    for (const Band& band : spans_.bands)
+      for (const std::uint32_t item : band.items) items_[item].kind = ItemKind::kSurface;
+    if (items_[0].kind != ItemKind::kUnused) items_[0].kind = ItemKind::kNothing;
+  }
+
+  // Planes and mip levels of one surface's items.
+  void describe(std::size_t number, base::Arena& scratch) {
+    const ScreenSurface& surface = table_.surfaces[number];
+    const std::uint32_t tiles = std::uint32_t{surface.tiles.s} * surface.tiles.t;
+    const std::span<DrawItem> items = items_.subspan(surface.first_item, tiles);
+    if (std::all_of(items.begin(), items.end(),
+                    [](const DrawItem& item) { return item.kind == ItemKind::kUnused; }))
+      return;
+    const world::Face& face = level_.face(surface.face);
+    const ModelView& model_view = table_.model_views[surface.instance];
+    const FacePlacement placed = place_face(level_, face, model_view);
+    const ScreenPlane depth = depth_plane(view_, placed.normal, placed.distance);
+    const ScreenPlane s = coordinate_plane(view_, depth, placed.s_axis, placed.s_offset);
+    const ScreenPlane t = coordinate_plane(view_, depth, placed.t_axis, placed.t_offset);
+    const double axes_length = (glm::length(placed.s_axis) + glm::length(placed.t_axis)) / 2;
+    const auto mip_at = [&](double nearest) {
+      if (settings_.force_mip >= 0) return std::min(settings_.force_mip, 3);
+      return choose_mip(settings_.mip_rule, view_, depth, s, t, nearest, axes_length);
+    };
+    const int mip = tiles == 1 ? mip_at(nearest(surface, face, model_view, scratch)) : 0;
+    for (std::uint32_t tile = 0; tile < tiles; ++tile) {
+      DrawItem& item = items[tile];
+      if (item.kind == ItemKind::kUnused) continue;
+      item.surface = base::to_index<SurfaceIndex>(number);
+      item.depth = depth;
+      item.mip = static_cast<std::uint8_t>(
+          tiles == 1 ? mip : mip_at(nearest_in_spans(surface.first_item + tile, depth)));
+      item.texture = &level_.texture(texture_of(surface, face));
+      const double scale = 1.0 / (1 << item.mip);
+      if (face.kind == world::FaceKind::kLit && face.light != world::kNoLight) {
+        const double tile_s = tile % surface.tiles.s * static_cast<double>(kTileTexels);
+        const double tile_t = tile / surface.tiles.s * static_cast<double>(kTileTexels);
+        item.s = scaled(shifted(view_, s, depth, -tile_s), scale);
+        item.t = scaled(shifted(view_, t, depth, -tile_t), scale);
+        continue;
+      }
+      // Not lit from samples: drawn from the texture itself, which repeats.
+      item.kind = face.kind == world::FaceKind::kSky      ? ItemKind::kSky
+                  : face.kind == world::FaceKind::kLiquid ? ItemKind::kLiquid
+                                                          : ItemKind::kTexture;
+      constexpr std::uint8_t kAsStored = 31, kBlack = 63;
+      item.light_row = face.kind == world::FaceKind::kLit ? kBlack : kAsStored;
+      if (item.kind == ItemKind::kLiquid) item.mip = 0;
+      const double texel = 1.0 / (1 << item.mip);
+      item.s = scaled(
+          shifted(view_, s, depth, face.texture_mins[0] % static_cast<std::int32_t>(item.texture->width)),
+          texel);
+      item.t = scaled(
+          shifted(view_, t, depth, face.texture_mins[1] % static_cast<std::int32_t>(item.texture->height)),
+          texel);
+    }
+  }
+
+  // Every block the frame needs: those that are there are marked first, so that making room for the rest
+  // cannot evict them.
+  std::span<BlockRequest> request_blocks(SurfaceCache& io_cache, FrameStats& io_stats) {
+    base::ArenaVector<BlockRequest> missing(arena_, 256);
+    base::ArenaVector<std::uint32_t> waiting(arena_, 256);
+    for (std::uint32_t number = 0; number < items_.size(); ++number) {
+      DrawItem& item = items_[number];
+      if (item.kind != ItemKind::kSurface) continue;
+      ++io_stats.surfaces;
+      const BlockRequest request = request_of(number);
+      SurfaceCache::Lookup found;
+      if (io_cache.find(slot_of(io_cache, request), request.contents, found))
+        item.block = found.block;
+      else
+        waiting.push_back(number);
+    }
+    for (const std::uint32_t number : waiting) {
+      BlockRequest request = request_of(number);
+      const world::Face& face = level_.face(request.face);
+      const SurfaceShape shape = surface_shape(face, request.tile_s, request.tile_t, request.mip);
+      const SurfaceCache::Lookup room = io_cache.reserve(slot_of(io_cache, request), request.contents, shape);
+      items_[number].block = request.block = room.block;
+      if (!room.must_build) continue;
+      missing.push_back(request);
+      io_stats.texels_built += shape.texels();
+    }
+    for (const DrawItem& item : items_)
+      if (item.kind == ItemKind::kSurface) io_stats.texels_read += item.block.shape.texels();
+    io_stats.surfaces_built = static_cast<std::uint32_t>(missing.size());
+    return missing.view();
+  }
+
+  std::span<DrawItem> items() const { return items_; }
+
+ private:
+  world::TextureIndex texture_of(const ScreenSurface& surface, const world::Face& face) const {
+    const int frame = surface.instance == 0 ? 0 : scene_.brush_models[surface.instance - 1].frame;
+    return world::animated_texture(level_, face.texture, scene_.time_s, frame);
+  }
+
+  BlockRequest request_of(std::uint32_t number) const {
+    const DrawItem& item = items_[number];
+    const ScreenSurface& surface = table_.surfaces[base::to_size(item.surface)];
+    const world::Face& face = level_.face(surface.face);
+    const std::uint32_t tile = number - surface.first_item;
+    BlockRequest request{surface.face,
+                         static_cast<std::uint16_t>(tile % surface.tiles.s),
+                         static_cast<std::uint16_t>(tile / surface.tiles.s),
+                         item.mip,
+                         {},
+                         {}};
+    request.contents.texture = texture_of(surface, face);
+    request.contents.coloured =
+        format_ == PixelFormat::kRgb && settings_.coloured_light && !level_.light_rgb.empty();
+    for (std::size_t style = 0; style < face.style_count; ++style)
+      request.contents.style_values[style] = face.styles[style] < world::kLightStyles
+                                                 ? scene_.light_styles[face.styles[style]]
+                                                 : std::uint16_t{256};
+    return request;
+  }
+  std::size_t slot_of(const SurfaceCache& cache, const BlockRequest& request) const {
+    const TileGrid grid = tile_grid(level_.face(request.face));
+    return cache.slot(request.face, std::size_t{request.tile_t} * grid.s + request.tile_s, request.mip);
+  }
+
+  double nearest(const ScreenSurface& surface, const world::Face& face, const ModelView& model_view,
+                 base::Arena& scratch) const {
+    if (surface.nearest_z > 0) return view_.depth(static_cast<double>(surface.nearest_z));
+    const std::span<math::Vec3d> corners = scratch.allocate<math::Vec3d>(face.surfedge_count);
+    for (std::uint32_t i = 0; i < face.surfedge_count; ++i)
+      corners[i] =
+          model_view.to_world(math::Vec3d(level_.vertices[level_.surfedge_start(face.first_surfedge + i)]));
+    return nearest_depth(view_, corners, scratch);
+  }
+
+  // Depth is linear along a run, so its largest value is at an end.
+  double nearest_in_spans(std::uint32_t number, const ScreenPlane& depth) const {
+    double nearest = view_.depth(1e9);
+    for (const Band& band : spans_.bands) {
+      const auto found = std::lower_bound(band.items.begin(), band.items.end(), number);
+      if (found == band.items.end() || *found != number) continue;
+      const auto position = static_cast<std::size_t>(found - band.items.begin());
+      for (std::uint32_t i = band.run_begin[position]; i < band.run_begin[position + 1]; ++i) {
+        const SpanRun& run = band.runs[i];
+        nearest = std::max({nearest, depth.at(run.x, run.y), depth.at(run.x + run.count - 1, run.y)});
+      }
+    }
+    return nearest;
+  }
+
+  const Scene& scene_;
+  const world::Level& level_;
+  const Settings& settings_;
+  const ViewFrame& view_;
+  const EdgeTable& table_;
+  const SpanTable& spans_;
+  const PixelFormat format_;
+  base::Arena& arena_;
+  std::span<DrawItem> items_;
+};
+
+// One arena for each of `count` jobs.
+void ready_arenas(std::vector<base::Arena>& io_arenas, std::size_t count) {
+  if (io_arenas.size() < count) io_arenas.resize(count);
+}
+
+}  // namespace
+
+DrawItems prepare_surfaces(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                           const EdgeTable& table, const SpanTable& spans, const BuildTables& build_tables,
+                           PixelFormat format, base::Jobs& jobs, base::Arena& arena,
+                           std::vector<base::Arena>& io_job_arenas, SurfaceCache& io_cache,
+                           FrameStats& io_stats) {
+  Preparation preparation(scene, settings, view, table, spans, format, arena);
+  preparation.collect();
+
+  const std::size_t describing_jobs = (table.surfaces.size() + kSurfacesAJob - 1) / kSurfacesAJob;
+  ready_arenas(io_job_arenas, describing_jobs);
+  jobs.parallel_for(describing_jobs, [&](std::size_t job) {
+    io_job_arenas[job].reset();
+    const std::size_t end = std::min(table.surfaces.size(), (job + 1) * kSurfacesAJob);
+    for (std::size_t surface = std::max<std::size_t>(1, job * kSurfacesAJob); surface < end; ++surface)
+      preparation.describe(surface, io_job_arenas[job]);
+  });
+
+  io_cache.begin_frame(*scene.level, format == PixelFormat::kIndexed ? 1 : 4, settings.cache_bytes,
+                       settings.surface_cache);
+  const std::span<const BlockRequest> requests = preparation.request_blocks(io_cache, io_stats);
+  io_stats.cache_hits = io_cache.counts().hits;
+  io_stats.cache_misses = io_cache.counts().misses;
+  io_stats.cache_evictions = io_cache.counts().evictions;
+  io_stats.over_budget = io_cache.counts().over_budget;
+  io_stats.cache_bytes = io_cache.bytes_in_use();
+
+  const std::size_t build_jobs =
+      std::min<std::size_t>(requests.size(), static_cast<std::size_t>(jobs.threads()) * 8);
+  ready_arenas(io_job_arenas, build_jobs);
+  jobs.parallel_for(build_jobs, [&](std::size_t job) {
+    for (std::size_t i = job; i < requests.size(); i += build_jobs)
+      build_surface(*scene.level, build_tables, requests[i], format, settings.vector_kernels,
+                    io_job_arenas[job]);
+  });
+  return {preparation.items()};
+}
+
+}  // namespace temblor::render

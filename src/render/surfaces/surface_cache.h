@@ -1,0 +1,87 @@
+// Lit, textured surfaces kept between frames (Abrash, "Surface Caching"): a budget in bytes, and the least
+// recently used go first. Blocks of the current frame are never evicted; what does not fit beside them lives
+// until the frame's end only.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "render/surfaces/surface_block.h"
+
+namespace temblor::render {
+
+// What a block shows; another one in the same place is stale.
+struct BlockContents {
+  world::TextureIndex texture{};
+  std::array<std::uint16_t, 4> style_values{};
+  bool coloured = false;
+  bool operator==(const BlockContents&) const = default;
+};
+
+struct CacheCounts {
+  std::uint32_t hits = 0, misses = 0, evictions = 0, over_budget = 0;
+};
+
+class SurfaceCache {
+ public:
+  // Forgets everything when the level or the format is not that of the last frame. The level is known by its
+  // address: forget() before it is freed.
+  void begin_frame(const world::Level& level, std::size_t bytes_per_texel, std::size_t budget_bytes,
+                   bool enabled);
+  void forget();
+
+  struct Lookup {
+    SurfaceBlock block;
+    bool must_build;
+  };
+  // First for all blocks of a frame: the block when it is there and fresh, marked as used.
+  bool find(std::size_t slot, const BlockContents& contents, Lookup& out_lookup);
+  // Then for those not found: room for one, to be built.
+  Lookup reserve(std::size_t slot, const BlockContents& contents, SurfaceShape shape);
+
+  // A face's slots, one for each tile and mip level.
+  std::size_t slot(world::FaceIndex face, std::size_t tile, int mip) const {
+    return first_slot_[base::to_size(face)] + tile * 4 + static_cast<std::size_t>(mip);
+  }
+  std::size_t bytes_in_use() const { return bytes_in_use_; }
+  const CacheCounts& counts() const { return counts_; }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  struct Entry {
+    std::unique_ptr<std::byte[]> texels;
+    std::size_t bytes = 0;
+    SurfaceShape shape{};
+    BlockContents contents;
+    std::size_t slot = 0;
+    std::uint64_t used_in_frame = 0;
+    std::uint32_t older = kNone, newer = kNone;
+  };
+
+  void index_level(const world::Level& level);
+  SurfaceBlock block_of(const Entry& entry) const { return {entry.texels.get(), entry.shape}; }
+  void make_newest(std::uint32_t entry);
+  void unlink(std::uint32_t entry);
+  void evict(std::uint32_t entry);
+  std::uint32_t new_entry();
+  SurfaceBlock allocate_for_frame(SurfaceShape shape);
+
+  const world::Level* level_ = nullptr;
+  std::size_t bytes_per_texel_ = 1;
+  std::size_t budget_bytes_ = 0;
+  bool enabled_ = true;
+  std::uint64_t frame_ = 0;
+  std::vector<std::size_t> first_slot_;       // by face
+  std::vector<std::uint32_t> entry_of_slot_;  // by slot; kNone
+  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> free_entries_;
+  std::uint32_t oldest_ = kNone, newest_ = kNone;
+  std::size_t bytes_in_use_ = 0;
+  std::vector<std::unique_ptr<std::byte[]>> frame_blocks_;
+  CacheCounts counts_;
+};
+
+}  // namespace temblor::render

@@ -1,0 +1,149 @@
+#include "render/view/visible_faces.h"
+
+#include <array>
+
+#include "world/visibility.h"
+
+namespace temblor::render {
+
+namespace {
+
+// Which frustum planes a box may cross, given those that its parent's box may; kOutside when it lies wholly
+// behind one of them.
+constexpr int kOutside = -1;
+int clip_box(const std::array<FrustumPlane, 5>& frustum, const math::Bounds& bounds, int flags) {
+  for (int i = 0; i < 5; ++i) {
+    if ((flags & 1 << i) == 0) continue;
+    const FrustumPlane& plane = frustum[static_cast<std::size_t>(i)];
+    double farthest = plane.offset, nearest = plane.offset;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double at_min = plane.normal[axis] * static_cast<double>(bounds.mins[axis]);
+      const double at_max = plane.normal[axis] * static_cast<double>(bounds.maxs[axis]);
+      farthest += std::max(at_min, at_max);
+      nearest += std::min(at_min, at_max);
+    }
+    if (farthest < 0) return kOutside;
+    if (nearest >= 0) flags &= ~(1 << i);
+  }
+  return flags;
+}
+
+class Walk {
+ public:
+  Walk(const world::Level& level, const LevelTables& tables, const ViewFrame& view, base::Arena& arena)
+      : level_(level),
+        tables_(tables),
+        view_(view),
+        face_marked_(arena.allocate_filled<std::uint8_t>(level.faces.size(), 0)),
+        node_marked_(arena.allocate_filled<std::uint8_t>(level.nodes.size(), 0)),
+        leaf_visible_(arena.allocate_filled<std::uint8_t>(level.leafs.size(), 0)),
+        leaf_keys_(arena.allocate_filled<SortKey>(level.leafs.size(), kNotVisited)),
+        faces_(arena, 1024),
+        open_(arena, 256) {}
+
+  void mark_everything() {
+    for (std::size_t leaf = 1; leaf < level_.leafs.size(); ++leaf) mark_leaf(leaf);
+  }
+  void mark_row(std::span<const std::uint8_t> row) {
+    for (std::size_t byte = 0; byte < row.size(); ++byte)
+      for (unsigned bits = row[byte]; bits != 0; bits &= bits - 1) {
+        const std::size_t leaf = byte * 8 + static_cast<std::size_t>(__builtin_ctz(bits)) + 1;
+        if (leaf < level_.leafs.size()) mark_leaf(leaf);
+      }
+  }
+
+  VisibleFaces run() {
+    const world::Child head = level_.world().head;
+    open_.push_back({head, -1, kClipAll});
+    while (!open_.empty()) {
+      const Step step = open_.back();
+      open_.pop_back();
+      if (step.side >= 0)
+        enter_faces(level_.node(step.child.node()), step.side);
+      else if (step.child.is_leaf())
+        enter_leaf(base::to_size(step.child.leaf()));
+      else
+        enter_node(step);
+    }
+    return {faces_.view(), leaf_keys_, node_marked_, faces_in_pvs_};
+  }
+
+ private:
+  // A subtree to walk, or (side 0 or 1) the faces in a node's plane that look to that side.
+  struct Step {
+    world::Child child;
+    int side;
+    int flags;
+  };
+
+  void mark_leaf(std::size_t leaf) {
+    leaf_visible_[leaf] = 1;
+    const world::Leaf& marked = level_.leafs[leaf];
+    for (std::uint32_t i = 0; i < marked.marked_face_count; ++i) {
+      std::uint8_t& mark = face_marked_[base::to_size(level_.marked_faces[marked.first_marked_face + i])];
+      faces_in_pvs_ += mark == 0;
+      mark = kInPvs;
+    }
+    for (std::uint32_t node = tables_.leaf_parent[leaf];
+         node != LevelTables::kNoParent && node_marked_[node] == 0; node = tables_.node_parent[node])
+      node_marked_[node] = 1;
+  }
+
+  void enter_node(const Step& step) {
+    const world::Node& node = level_.node(step.child.node());
+    if (node_marked_[base::to_size(step.child.node())] == 0) return;
+    const int flags = clip_box(view_.frustum, node.bounds, step.flags);
+    if (flags == kOutside) return;
+    const world::Plane& plane = level_.planes[node.plane];
+    // The side that the eye is on; seen in parallel, the side that the view comes from.
+    const double towards = view_.perspective ? glm::dot(math::Vec3d(plane.normal), view_.eye_world) -
+                                                   static_cast<double>(plane.distance)
+                                             : -glm::dot(math::Vec3d(plane.normal), view_.axes.forward);
+    const int side = towards >= 0 ? 0 : 1;
+    open_.push_back({node.children[static_cast<std::size_t>(1 - side)], -1, flags});
+    if (node.face_count > 0) open_.push_back({step.child, side, 0});
+    open_.push_back({node.children[static_cast<std::size_t>(side)], -1, flags});
+  }
+
+  // Only faces of leafs that were reached: those in front of a node's plane are walked before its faces.
+  void enter_leaf(std::size_t leaf) {
+    if (leaf_visible_[leaf] == 0) return;
+    leaf_keys_[leaf] = next_key_++;
+    const world::Leaf& reached = level_.leafs[leaf];
+    for (std::uint32_t i = 0; i < reached.marked_face_count; ++i)
+      face_marked_[base::to_size(level_.marked_faces[reached.first_marked_face + i])] = kReached;
+  }
+
+  void enter_faces(const world::Node& node, int side) {
+    for (std::uint32_t face = node.first_face; face < node.first_face + node.face_count; ++face)
+      if (face_marked_[face] == kReached && level_.faces[face].back_side == (side == 1))
+        faces_.push_back({base::to_index<world::FaceIndex>(face), next_key_++});
+  }
+
+  static constexpr std::uint8_t kInPvs = 1, kReached = 2;
+  const world::Level& level_;
+  const LevelTables& tables_;
+  const ViewFrame& view_;
+  std::span<std::uint8_t> face_marked_, node_marked_, leaf_visible_;
+  std::span<SortKey> leaf_keys_;
+  base::ArenaVector<VisibleFace> faces_;
+  base::ArenaVector<Step> open_;
+  SortKey next_key_ = kNotVisited + 1;
+  std::uint32_t faces_in_pvs_ = 0;
+};
+
+}  // namespace
+
+VisibleFaces find_visible_faces(const world::Level& level, const LevelTables& tables, const ViewFrame& view,
+                                bool use_pvs, base::Arena& arena, std::vector<std::uint8_t>& io_pvs_row) {
+  Walk walk(level, tables, view, arena);
+  if (!use_pvs || !view.perspective || view.eye_leaf == world::LeafIndex{0}) {
+    walk.mark_everything();
+  } else {
+    world::decompress_pvs(level, view.eye_leaf, io_pvs_row);
+    walk.mark_row(io_pvs_row);
+  }
+  return walk.run();
+}
+
+}  // namespace temblor::render
