@@ -7,22 +7,19 @@
 // texinfos   name a texture (which may be not present); axes may be zero or parallel
 // edges      name vertices; surfedges name edges, and negating one is safe
 // faces      3..kBspMaxFaceEdges surfedges, each ending at the vertex where the next starts; plane, texinfo
-// in
-//            range; side 0 or 1; light_offset >= -1 (whether the samples lie inside the lighting is up to who
-//            knows the face's extents)
-// leafs      at least one, the first solid; contents kBspLowestContents..-1; visibility_offset -1 or inside
-// the
-//            visibility; marksurfaces in range
+//            in range; side 0 or 1; light_offset >= -1 (whether the samples lie inside the lighting is up to
+//            who knows the face's extents)
+// leafs      at least one, the first solid; contents kBspLowestContents..-1; marksurfaces in range;
+//            visibility_offset -1 or inside the visibility
 // nodes      plane, faces, children in range
 // clipnodes  plane in range, children clipnodes or contents
 // models     at least one, the world; faces, heads in range; visible_leafs below the number of leafs
 // trees      below a model's head, each node is reached exactly once, and by no other model unless both start
 //            at the same head; clipnodes may be shared, but no path comes back to where it was; no path is
 //            longer than kBspMaxTreeDepth, so that recursion is safe
-// sums       the faces of all nodes, the faces of all models, the marksurfaces of all leafs and the surfedges
-// of
-//            all faces are each together at most as many as the array they point into, so that visiting all
-//            of them takes time in proportion to the file
+// sums       the faces of all nodes, the faces of all models, the marksurfaces of all leafs and the
+//            surfedges of all faces are each together at most as many as the array they point into, so that
+//            visiting all of them takes time in proportion to the file
 #pragma once
 
 #include <cstddef>
