@@ -1,0 +1,220 @@
+// Faces of a level, against the file: their rectangles of texels, their light, their kinds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/text.h"
+#include "support/game_data.h"
+#include "world/level.h"
+#include "world/test_levels.h"
+
+namespace temblor::world {
+namespace {
+
+std::vector<math::Vec3> vertices_of(const formats::Bsp& bsp, const formats::BspFace& face) {
+  std::vector<math::Vec3> vertices;
+  for (std::uint32_t i = 0; i < face.surfedge_count; ++i) {
+    const std::int32_t surfedge = bsp.surfedges[face.first_surfedge + i];
+    const formats::BspEdge& edge = bsp.edges[static_cast<std::size_t>(std::abs(surfedge))];
+    vertices.push_back(bsp.vertices[edge.vertices[surfedge < 0 ? 1 : 0]]);
+  }
+  return vertices;
+}
+
+struct Range {
+  double min = 1e30, max = -1e30;
+};
+Range texel_range(const std::vector<math::Vec3>& vertices, const math::Vec3& axis, float offset) {
+  Range range;
+  for (const math::Vec3& v : vertices) {
+    const double texel = double{v.x} * axis.x + double{v.y} * axis.y + double{v.z} * axis.z + offset;
+    range = {std::min(range.min, texel), std::max(range.max, texel)};
+  }
+  return range;
+}
+
+// The smallest rectangle on the 16-texel grid that covers the face, but for what a float cannot tell.
+void expect_tight(const Range& range, std::int32_t min, std::int32_t extent, const std::string& what) {
+  constexpr double kFloatTexel = 0.01;
+  EXPECT_GE(extent, 0) << what;
+  EXPECT_EQ(min % 16, 0) << what;
+  EXPECT_EQ(extent % 16, 0) << what;
+  EXPECT_LE(min, range.min + kFloatTexel) << what;
+  EXPECT_GT(min + 16, range.min - kFloatTexel) << what;
+  EXPECT_GE(min + extent, range.max - kFloatTexel) << what;
+  EXPECT_LT(min + extent - 16, range.max + kFloatTexel) << what;
+}
+
+void expect_rectangles_cover_faces(const TestLevel& test) {
+  for (std::size_t i = 0; i < test.bsp.faces.size(); ++i) {
+    const formats::BspTexinfo& info = test.bsp.texinfos[test.bsp.faces[i].texinfo];
+    const std::vector<math::Vec3> vertices = vertices_of(test.bsp, test.bsp.faces[i]);
+    const Face& face = test.level->faces[i];
+    const std::string what = test.name + " face " + std::to_string(i);
+    expect_tight(texel_range(vertices, info.s_axis, info.s_offset), face.texture_mins[0],
+                 face.texture_extents[0], what + " s");
+    expect_tight(texel_range(vertices, info.t_axis, info.t_offset), face.texture_mins[1],
+                 face.texture_extents[1], what + " t");
+  }
+}
+
+TEST(Faces, RectanglesOfTexelsCoverStockFacesTightly) {
+  DATA_FOLDER_OR_SKIP(base_folder);
+  for (const TestLevel& test : stock_levels(base_folder)) expect_rectangles_cover_faces(test);
+}
+
+TEST(Faces, RectanglesOfTexelsCoverFacesOfTheSmallLevelTightly) {
+  expect_rectangles_cover_faces(small_test_level());
+  expect_rectangles_cover_faces(small_test_level({.wide_faces = true}));
+}
+
+// The light compiler packed the faces' samples one after the other, to multiples of 4 bytes, so the gaps
+// between their offsets say how many samples it made for each face.
+TEST(Faces, NumberOfLightSamplesIsTheCompilersOwn) {
+  DATA_FOLDER_OR_SKIP(base_folder);
+  for (const TestLevel& test : stock_levels(base_folder)) {
+    std::set<std::size_t> starts = {test.bsp.lighting.size()};
+    for (const formats::BspFace& face : test.bsp.faces)
+      if (face.light_offset >= 0) starts.insert(static_cast<std::size_t>(face.light_offset));
+    for (std::size_t i = 0; i < test.bsp.faces.size(); ++i) {
+      const Face& face = test.level->faces[i];
+      if (face.light == kNoLight) continue;
+      const std::size_t samples = static_cast<std::size_t>(face.light_width()) *
+                                  static_cast<std::size_t>(face.light_height()) * face.style_count;
+      const std::size_t room = *starts.upper_bound(face.light) - face.light;
+      EXPECT_LE(samples, room) << test.name << " face " << i;
+      EXPECT_LT(room, samples + 4) << test.name << " face " << i;
+    }
+  }
+}
+
+TEST(Faces, KindsAndLightFollowTextureNamesFlagsAndOffsets) {
+  DATA_FOLDER_OR_SKIP(base_folder);
+  std::map<FaceKind, int> seen;
+  for (const TestLevel& test : stock_levels(base_folder)) {
+    for (std::size_t i = 0; i < test.bsp.faces.size(); ++i) {
+      const formats::BspFace& bsp_face = test.bsp.faces[i];
+      const formats::BspTexinfo& info = test.bsp.texinfos[bsp_face.texinfo];
+      const std::string name = base::to_lower(test.bsp.miptexes[static_cast<std::size_t>(info.miptex)].name);
+      FaceKind expected = FaceKind::kLit;
+      if (name.rfind("sky", 0) == 0) expected = FaceKind::kSky;
+      if (name.rfind('*', 0) == 0) expected = FaceKind::kLiquid;
+      const Face& face = test.level->faces[i];
+      EXPECT_EQ(face.kind, expected) << test.name << " face " << i << " " << name;
+      EXPECT_EQ(face.light == kNoLight, bsp_face.light_offset < 0 || expected != FaceKind::kLit);
+      if (face.light != kNoLight) {
+        EXPECT_EQ(face.light, static_cast<std::uint32_t>(bsp_face.light_offset));
+        EXPECT_EQ(face.styles, bsp_face.styles);
+      }
+      EXPECT_EQ(face.style_count, std::count_if(face.styles.begin(), face.styles.end(),
+                                                [](std::uint8_t style) { return style != kNoStyle; }));
+      ++seen[face.kind];
+    }
+  }
+  EXPECT_GT(seen[FaceKind::kSky], 0);
+  EXPECT_GT(seen[FaceKind::kLiquid], 0);
+}
+
+void expect_clockwise(const TestLevel& test) {
+  for (std::size_t i = 0; i < test.bsp.faces.size(); ++i) {
+    const std::vector<math::Vec3> vertices = vertices_of(test.bsp, test.bsp.faces[i]);
+    // Newell's normal: towards whoever sees the loop run counter-clockwise.
+    math::Vec3d newell(0.0);
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      const math::Vec3d a(vertices[k] - vertices[0]);
+      const math::Vec3d b(vertices[(k + 1) % vertices.size()] - vertices[0]);
+      newell += glm::cross(a, b);
+    }
+    const Face& face = test.level->faces[i];
+    const double side = face.back_side ? -1 : 1;
+    const math::Vec3d front = math::Vec3d(test.level->planes[face.plane].normal) * side;
+    EXPECT_LT(glm::dot(newell, front), 0) << test.name << " face " << i;
+  }
+}
+
+TEST(Faces, RunClockwiseSeenFromTheFront) {
+  expect_clockwise(small_test_level());
+  DATA_FOLDER_OR_SKIP(base_folder);
+  for (const TestLevel& test : stock_levels(base_folder)) expect_clockwise(test);
+}
+
+TEST(Faces, AreUnlitWhereTheLevelHasNoLight) {
+  const TestLevel test = small_test_level({.light = false});
+  EXPECT_FALSE(test.level->has_light);
+  int unlit = 0;
+  for (const Face& face : test.level->faces) {
+    EXPECT_NE(face.kind, FaceKind::kLit);
+    EXPECT_EQ(face.light, kNoLight);
+    if (face.kind == FaceKind::kUnlit) ++unlit;
+  }
+  EXPECT_GT(unlit, 0);
+}
+
+// A face of the tiny level that has light.
+std::size_t find_lit_face(const formats::Bsp& bsp) {
+  const auto lit = std::find_if(bsp.faces.begin(), bsp.faces.end(),
+                                [](const formats::BspFace& face) { return face.light_offset >= 0; });
+  return static_cast<std::size_t>(lit - bsp.faces.begin());
+}
+
+TEST(Faces, AreBlackWithoutSamplesInALitLevelUnlessFlagged) {
+  formats::Bsp bsp = artgen::make_small_level({.tiny = true});
+  const std::size_t i = find_lit_face(bsp);
+  bsp.faces[i].light_offset = -1;
+  bsp.texinfos.push_back(bsp.texinfos[bsp.faces[i].texinfo]);
+  const TestLevel black = test_level("black", bsp);
+  EXPECT_EQ(black.level->faces[i].kind, FaceKind::kLit);
+  EXPECT_EQ(black.level->faces[i].light, kNoLight);
+  EXPECT_EQ(black.level->faces[i].style_count, 0);
+
+  bsp.texinfos.back().flags = 1;
+  bsp.faces[i].texinfo = static_cast<std::uint32_t>(bsp.texinfos.size() - 1);
+  const TestLevel flagged = test_level("flagged", bsp);
+  EXPECT_EQ(flagged.level->faces[i].kind, FaceKind::kUnlit);
+}
+
+TEST(Faces, LightPastTheEndIsAnError) {
+  formats::Bsp bsp = artgen::make_small_level({.tiny = true});
+  const std::size_t i = find_lit_face(bsp);
+  const Face face = test_level("whole", bsp).level->faces[i];
+  const std::size_t samples = static_cast<std::size_t>(face.light_width()) *
+                              static_cast<std::size_t>(face.light_height()) * face.style_count;
+  bsp.faces[i].light_offset = static_cast<std::int32_t>(bsp.lighting.size() - samples);
+  EXPECT_TRUE(make_level(bsp, "last").ok());
+  ++bsp.faces[i].light_offset;
+  const auto past = make_level(bsp, "past");
+  ASSERT_FALSE(past.ok());
+  EXPECT_NE(past.error().what.find("face " + std::to_string(i) + ":"), std::string::npos)
+      << past.error().what;
+  bsp.faces[i].light_offset = 0x7fffffff;
+  EXPECT_FALSE(make_level(bsp, "far").ok());
+}
+
+TEST(Faces, LightStyleThatNoTableHoldsIsAnError) {
+  formats::Bsp bsp = artgen::make_small_level({.tiny = true});
+  formats::BspFace& face = bsp.faces[find_lit_face(bsp)];
+  face.styles[0] = 63;
+  EXPECT_TRUE(make_level(bsp, "last style").ok());
+  face.styles[0] = 64;
+  EXPECT_FALSE(make_level(bsp, "no such style").ok());
+}
+
+TEST(Faces, AbsurdTextureScaleIsAnError) {
+  const formats::Bsp bsp = artgen::make_small_level({.tiny = true});
+  for (const float scale : {1e6f, 1e20f, 3e38f, -3e38f}) {
+    formats::Bsp scaled = bsp;
+    for (formats::BspTexinfo& info : scaled.texinfos) info.t_axis *= scale;
+    EXPECT_FALSE(make_level(scaled, "scaled").ok()) << scale;
+  }
+  formats::Bsp shifted = bsp;
+  for (formats::BspTexinfo& info : shifted.texinfos) info.s_offset = 3e7f;
+  EXPECT_FALSE(make_level(shifted, "shifted").ok());
+}
+
+}  // namespace
+}  // namespace temblor::world

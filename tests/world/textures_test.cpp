@@ -1,0 +1,114 @@
+// Textures made drawable: kinds, missing ones, mip levels.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "support/game_data.h"
+#include "world/level.h"
+#include "world/test_levels.h"
+
+namespace temblor::world {
+namespace {
+
+// The tiny level with these textures instead of its own; its faces are missing theirs where there are fewer.
+TestLevel level_with(std::vector<formats::BspMiptex> miptexes) {
+  formats::Bsp bsp = artgen::make_small_level({.tiny = true});
+  bsp.miptexes = std::move(miptexes);
+  return test_level("textures", std::move(bsp));
+}
+
+formats::BspMiptex numbered_miptex(std::string name, std::uint32_t width, std::uint32_t height) {
+  formats::BspMiptex miptex;
+  miptex.present = true;
+  miptex.name = std::move(name);
+  miptex.width = width;
+  miptex.height = height;
+  for (std::uint32_t i = 0; i < width * height; ++i)
+    miptex.mips[0].push_back(static_cast<std::uint8_t>(i % 253));
+  return miptex;
+}
+
+void expect_drawable(const Texture& texture) {
+  EXPECT_GE(texture.width, 1u);
+  EXPECT_GE(texture.height, 1u);
+  for (unsigned mip = 0; mip < 4; ++mip) {
+    const std::size_t width = std::max(1u, texture.width >> mip);
+    const std::size_t height = std::max(1u, texture.height >> mip);
+    EXPECT_EQ(texture.mips[mip].size(), width * height) << texture.name << " mip " << mip;
+  }
+}
+
+TEST(Textures, KindComesFromTheName) {
+  const std::pair<const char*, TextureKind> kinds[] = {
+      {"brick", TextureKind::kOpaque}, {"sky1", TextureKind::kSky},      {"SKY_b", TextureKind::kSky},
+      {"sk", TextureKind::kOpaque},    {"*lava", TextureKind::kLiquid},  {"{grate", TextureKind::kCutout},
+      {"+0a", TextureKind::kOpaque},   {"whisky", TextureKind::kOpaque}, {"", TextureKind::kOpaque},
+  };
+  std::vector<formats::BspMiptex> miptexes;
+  for (const auto& [name, kind] : kinds) miptexes.push_back(numbered_miptex(name, 16, 16));
+  const TestLevel test = level_with(miptexes);
+  for (std::size_t i = 0; i < std::size(kinds); ++i)
+    EXPECT_EQ(test.level->textures[i].kind, kinds[i].second) << kinds[i].first;
+}
+
+TEST(Textures, OfStockLevelsAreKeptAsStored) {
+  DATA_FOLDER_OR_SKIP(base_folder);
+  for (const TestLevel& test : stock_levels(base_folder)) {
+    for (std::size_t i = 0; i < test.bsp.miptexes.size(); ++i) {
+      const Texture& texture = test.level->textures[i];
+      expect_drawable(texture);
+      EXPECT_EQ(texture.missing, test.bsp.miptexes[i].mips[0].empty());
+      if (!texture.missing) {
+        EXPECT_EQ(texture.mips, test.bsp.miptexes[i].mips) << texture.name;
+      }
+    }
+  }
+}
+
+TEST(Textures, MissingOnesAreACheckerAndSaySo) {
+  formats::BspMiptex elsewhere;
+  elsewhere.present = true;
+  elsewhere.name = "*elsewhere";
+  elsewhere.width = elsewhere.height = 16;
+  const TestLevel test = level_with({formats::BspMiptex{}, elsewhere});
+  for (const Texture& texture : test.level->textures) {
+    EXPECT_TRUE(texture.missing);
+    EXPECT_EQ(texture.width, 64u);
+    EXPECT_EQ(texture.height, 64u);
+    expect_drawable(texture);
+    const std::uint8_t first = texture.mips[0][0];
+    EXPECT_NE(texture.mips[0][8], first);
+    EXPECT_NE(texture.mips[0][8 * 64], first);
+    EXPECT_EQ(texture.mips[0][8 * 64 + 8], first);
+  }
+  EXPECT_EQ(test.level->textures[1].kind, TextureKind::kLiquid);
+  EXPECT_EQ(test.level->textures[1].name, "*elsewhere");
+}
+
+TEST(Textures, ThatALevelDoesNotHaveAtAllAreTheLastOne) {
+  const TestLevel test = level_with({});
+  ASSERT_EQ(test.level->textures.size(), 1u);
+  for (const Face& face : test.level->faces) EXPECT_EQ(base::to_size(face.texture), 0u);
+}
+
+TEST(Textures, MipLevelsThatAreNotThereAreSampled) {
+  const std::pair<std::uint32_t, std::uint32_t> sizes[] = {{1, 1}, {7, 5}, {16, 2}, {3, 64}, {33, 100}};
+  for (const auto& [width, height] : sizes) {
+    const TestLevel test = level_with({numbered_miptex("odd", width, height)});
+    const Texture& texture = test.level->textures[0];
+    EXPECT_FALSE(texture.missing);
+    expect_drawable(texture);
+    for (unsigned mip = 1; mip < 4; ++mip) {
+      const std::uint32_t mip_width = std::max(1u, width >> mip);
+      for (std::size_t i = 0; i < texture.mips[mip].size(); ++i) {
+        const std::size_t x = (i % mip_width) << mip;
+        const std::size_t y = (i / mip_width) << mip;
+        ASSERT_EQ(texture.mips[mip][i], (y * width + x) % 253) << width << "x" << height << " mip " << mip;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace temblor::world
