@@ -1,0 +1,65 @@
+// Drawing spans of one surface, by mean length of a span: pixels a second with 1/z filled.
+#include <benchmark/benchmark.h>
+
+#include "bench/random_runs.h"
+
+namespace temblor::bench {
+namespace {
+
+constexpr std::int32_t kSurfaceSide = 256;
+constexpr std::size_t kPixels = 200'000;
+
+// A wall seen at a slant: all coordinates and depth change in both directions of the screen.
+render::SurfaceRuns slanted_wall(const std::vector<render::KernelRun>& runs, const void* texels,
+                                 render::KernelDivide divide) {
+  const render::KernelPlane depth = {0.002, 1e-6, 2e-7};
+  const render::KernelPlane s = {0.01, 1.8e-4, 1e-6}, t = {0.01, 2e-6, 2.6e-4};
+  return {depth,       s,          t, divide, texels, kSurfaceSide, kSurfaceSide - 1, kSurfaceSide - 1,
+          runs.data(), runs.size()};
+}
+
+template <typename Texel, auto DrawRuns, render::KernelDivide Divide>
+void draw_runs(benchmark::State& state) {
+  const std::vector<render::KernelRun> runs = random_runs(static_cast<int>(state.range(0)), kPixels);
+  // Padded as blocks are, for wide loads at the end.
+  const std::vector<Texel> texels(kSurfaceSide * kSurfaceSide + 64, Texel{7});
+  constexpr std::size_t kScreenPixels = std::size_t{kScreenWidth} * kScreenHeight;
+  std::vector<Texel> pixels(kScreenPixels + 64);
+  std::vector<float> depth(kScreenPixels + 64);
+  const render::SurfaceRuns surface = slanted_wall(runs, texels.data(), Divide);
+  const render::KernelTarget target = {pixels.data(), depth.data(), kScreenWidth};
+  for (auto _ : state) {
+    DrawRuns(surface, target);
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * pixels_of(runs)));
+}
+
+constexpr auto kExact = render::KernelDivide::kEveryPixel;
+constexpr auto kEvery16 = render::KernelDivide::kEvery16;
+
+void span_lengths(benchmark::internal::Benchmark* benchmark) {
+  for (const int length : {4, 16, 40, 120}) benchmark->Arg(length);
+}
+
+BENCHMARK(draw_runs<std::uint8_t, render::draw_surface_runs_u8_vector, kExact>)
+    ->Name("spans/indexed/exact/vector")
+    ->Apply(span_lengths);
+BENCHMARK(draw_runs<std::uint8_t, render::draw_surface_runs_u8_plain, kExact>)
+    ->Name("spans/indexed/exact/plain")
+    ->Apply(span_lengths);
+BENCHMARK(draw_runs<std::uint8_t, render::draw_surface_runs_u8_vector, kEvery16>)
+    ->Name("spans/indexed/every16/vector")
+    ->Apply(span_lengths);
+BENCHMARK(draw_runs<std::uint32_t, render::draw_surface_runs_u32_vector, kExact>)
+    ->Name("spans/rgb/exact/vector")
+    ->Apply(span_lengths);
+BENCHMARK(draw_runs<std::uint32_t, render::draw_surface_runs_u32_plain, kExact>)
+    ->Name("spans/rgb/exact/plain")
+    ->Apply(span_lengths);
+BENCHMARK(draw_runs<std::uint32_t, render::draw_surface_runs_u32_vector, kEvery16>)
+    ->Name("spans/rgb/every16/vector")
+    ->Apply(span_lengths);
+
+}  // namespace
+}  // namespace temblor::bench
