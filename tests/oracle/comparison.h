@@ -83,11 +83,13 @@ class Comparison {
   bool seen_within_a_pixel(int x, int y, const render::PixelFace& drawn) const;
   void judge_depth(int x, int y, const Hit& hit, Tally& io_tally) const;
   void judge_colour(int x, int y, const Hit& hit, Tally& io_tally) const;
+  std::optional<bool> is_right_colour(int x, int y, const Hit& hit) const;
   bool is_colour_of(std::size_t position, const Hit& hit, TexelPosition texel) const;
   bool is_in_texture(std::size_t position, const Hit& hit) const;
   math::Vec2d texture_position_at(double x_px, double y_px, const Hit& hit) const;
   world::TextureIndex texture_of(const Hit& hit) const;
   std::string describe(int x, int y, const std::optional<Hit>& hit, const render::PixelFace& drawn) const;
+  std::string describe_colour(int x, int y, const Hit& hit) const;
 
   std::size_t position_of(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(drawn_.frame.width()) +

@@ -54,19 +54,26 @@ void Comparison::judge_depth(int x, int y, const Hit& hit, Tally& io_tally) cons
 }
 
 void Comparison::judge_colour(int x, int y, const Hit& hit, Tally& io_tally) const {
+  const std::optional<bool> right = is_right_colour(x, y, hit);
+  if (!right) return;
+  ++io_tally.colours;
+  if (*right)
+    ++io_tally.right_colours;
+  else if (io_tally.findings.size() < Tally::kMostFindings)
+    io_tally.findings.push_back(describe_colour(x, y, hit));
+}
+
+// Nothing where too many colours would do.
+std::optional<bool> Comparison::is_right_colour(int x, int y, const Hit& hit) const {
   const std::size_t position = position_of(x, y);
   const world::Face& face = level_.face(hit.face);
-  if (face.kind == world::FaceKind::kSky || face.kind == world::FaceKind::kLiquid) {
-    ++io_tally.colours;
-    if (is_in_texture(position, hit)) ++io_tally.right_colours;
-    return;
-  }
+  if (face.kind == world::FaceKind::kSky || face.kind == world::FaceKind::kLiquid)
+    return is_in_texture(position, hit);
   const math::Vec2d centre = texture_position_at(x, y, hit);
   const math::Vec2d per_pixel = (glm::abs(texture_position_at(x + kDerivativeStepPixels, y, hit) - centre) +
                                  glm::abs(texture_position_at(x, y + kDerivativeStepPixels, hit) - centre)) /
                                 kDerivativeStepPixels;
-  if (std::max(per_pixel.x, per_pixel.y) > kMostTexelsPerPixel) return;
-  ++io_tally.colours;
+  if (std::max(per_pixel.x, per_pixel.y) > kMostTexelsPerPixel) return std::nullopt;
   const math::Vec2d slack = per_pixel * kTexelSlackPixels + kTexelSlack;
   const auto texel_range = [&](int axis, double offset) {
     const auto texel = static_cast<std::int64_t>(std::floor(centre[axis] + offset));
@@ -75,11 +82,26 @@ void Comparison::judge_colour(int x, int y, const Hit& hit, Tally& io_tally) con
   };
   for (std::int64_t t = texel_range(1, -slack.y); t <= texel_range(1, slack.y); ++t) {
     for (std::int64_t s = texel_range(0, -slack.x); s <= texel_range(0, slack.x); ++s) {
-      if (!is_colour_of(position, hit, {s, t})) continue;
-      ++io_tally.right_colours;
-      return;
+      if (is_colour_of(position, hit, {s, t})) return true;
     }
   }
+  return false;
+}
+
+std::string Comparison::describe_colour(int x, int y, const Hit& hit) const {
+  const world::Face& face = level_.face(hit.face);
+  const math::Vec2d at = texture_position_at(x, y, hit);
+  const bool indexed = drawn_.frame.format() == render::PixelFormat::kIndexed;
+  const std::uint32_t drawn =
+      indexed ? drawn_.frame.indexed()[position_of(x, y)] : drawn_.frame.rgb()[position_of(x, y)];
+  const TexelPosition texel{static_cast<std::int64_t>(std::floor(at.x)),
+                            static_cast<std::int64_t>(std::floor(at.y))};
+  const world::Texture& texture = level_.texture(texture_of(hit));
+  const Light light =
+      light_at(level_, face, scene_.light_styles, texel, indexed ? LightColour::kGrey : LightColour::kRgb);
+  return fmt::format("pixel {},{}: face {} ({}) at s {} t {}, texel {}, light {} {} {}: drawn {:x}", x, y,
+                     base::to_size(hit.face), texture.name, at.x, at.y, texel_at(texture, texel),
+                     light[0] / 256, light[1] / 256, light[2] / 256, drawn);
 }
 
 // Within one step of light of the texel's colour.

@@ -11,8 +11,8 @@
 namespace temblor::oracle {
 namespace {
 
-std::string name_of(render::PixelFormat format) {
-  return format == render::PixelFormat::kIndexed ? "indexed" : "rgb";
+std::string name_of(const char* level, render::PixelFormat format) {
+  return fmt::format("{}_{}", level, format == render::PixelFormat::kIndexed ? "indexed" : "rgb");
 }
 
 using StockCase = std::tuple<const char*, render::PixelFormat>;
@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(Levels, StockLevelPicture,
                          testing::Combine(testing::Values("start", "lq_e0m1", "lq_e1m2"),
                                           testing::ValuesIn(kFormats)),
                          [](const auto& test) {
-                           return std::get<0>(test.param) + ("_" + name_of(std::get<1>(test.param)));
+                           return name_of(std::get<0>(test.param), std::get<1>(test.param));
                          });
 
 using SmallCase = std::tuple<test::SmallLevelVariant, render::PixelFormat>;
@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(Variants, SmallLevelPicture,
                          testing::Combine(testing::ValuesIn(test::small_level_variants()),
                                           testing::ValuesIn(kFormats)),
                          [](const auto& test) {
-                           return std::get<0>(test.param).name + ("_" + name_of(std::get<1>(test.param)));
+                           return name_of(std::get<0>(test.param).name, std::get<1>(test.param));
                          });
 
 }  // namespace
