@@ -1,0 +1,201 @@
+#include "assets/assets.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "artgen/small_level.h"
+#include "formats/bsp.h"
+#include "formats/lit.h"
+#include "formats/pak.h"
+#include "support/effort.h"
+#include "support/game_data.h"
+#include "support/mutations.h"
+#include "support/temporary_folder.h"
+
+namespace temblor::assets {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+formats::Bsp tiny_level(bool missing_texture = false) {
+  return artgen::make_small_level({.missing_texture = missing_texture, .tiny = true});
+}
+
+base::ByteVector bytes_of(const formats::Bsp& bsp) {
+  return formats::write_bsp(bsp, formats::BspVersion::k29).value();
+}
+
+// Coloured light for the level, every sample `value`; `extra` samples too many.
+base::ByteVector lit_for(const formats::Bsp& bsp, std::uint8_t value, std::size_t extra = 0) {
+  return formats::write_lit({std::vector<std::uint8_t>(3 * (bsp.lighting.size() + extra), value)});
+}
+
+vfs::FileSystem open_or_die(const test::TemporaryFolder& base_folder,
+                            const std::vector<std::string>& games = {}) {
+  return vfs::FileSystem::open(base_folder.path(), games).value();
+}
+
+TEST(LoadLevel, FindsTheLevelAndItsLightWhereverTheyAre) {
+  const formats::Bsp bsp = tiny_level();
+  const base::ByteVector bsp_bytes = bytes_of(bsp);
+  const base::ByteVector lit_bytes = lit_for(bsp, 77);
+  const std::vector<formats::ArchiveFile> archived{{"maps/tiny.bsp", bsp_bytes},
+                                                   {"maps/tiny.lit", lit_bytes}};
+  const test::TemporaryFolder loose, pak, pk3;
+  loose.write("id1/maps/tiny.bsp", bsp_bytes);
+  loose.write("id1/maps/tiny.lit", lit_bytes);
+  pak.write("id1/pak0.pak", formats::write_pak(archived).value());
+  pk3.write("id1/tiny.pk3", formats::write_pk3(archived).value());
+  for (const test::TemporaryFolder* folder : {&loose, &pak, &pk3}) {
+    const auto loaded = load_level(open_or_die(*folder), "tiny");
+    ASSERT_TRUE(loaded.ok()) << loaded.error().message();
+    EXPECT_EQ(loaded->level->name, "tiny");
+    EXPECT_EQ(loaded->level->faces.size(), bsp.faces.size());
+    EXPECT_EQ(loaded->level->light, bsp.lighting);
+    EXPECT_EQ(loaded->level->light_rgb, std::vector<std::uint8_t>(3 * bsp.lighting.size(), 77));
+    EXPECT_THAT(loaded->notes, IsEmpty());
+  }
+}
+
+TEST(LoadLevel, LightThatDoesNotFitIsLeftOutWithANote) {
+  const formats::Bsp bsp = tiny_level();
+  for (const base::ByteVector& lit :
+       {lit_for(bsp, 1, 1), base::ByteVector{}, test::to_bytes("no light at all")}) {
+    const test::TemporaryFolder folder;
+    folder.write("id1/maps/tiny.bsp", bytes_of(bsp));
+    folder.write("id1/maps/tiny.lit", lit);
+    const auto loaded = load_level(open_or_die(folder), "tiny");
+    ASSERT_TRUE(loaded.ok()) << loaded.error().message();
+    EXPECT_THAT(loaded->level->light_rgb, IsEmpty());
+    EXPECT_THAT(loaded->notes, ElementsAre(AllOf(HasSubstr("tiny.lit"), HasSubstr("left out"))));
+  }
+}
+
+TEST(LoadLevel, LightOfALowerGameBelongsToTheLevelThatIsHidden) {
+  const formats::Bsp bsp = tiny_level();
+  const test::TemporaryFolder folder;
+  folder.write("id1/maps/tiny.lit", lit_for(bsp, 1));
+  folder.write("mod/maps/tiny.bsp", bytes_of(bsp));
+  folder.write("light/maps/tiny.lit", lit_for(bsp, 2));
+  const auto without = load_level(open_or_die(folder, {"mod"}), "tiny");
+  ASSERT_TRUE(without.ok());
+  EXPECT_THAT(without->level->light_rgb, IsEmpty());
+  EXPECT_THAT(without->notes, IsEmpty());
+  const auto with = load_level(open_or_die(folder, {"mod", "light"}), "tiny");
+  ASSERT_TRUE(with.ok());
+  EXPECT_THAT(with->level->light_rgb, ::testing::Each(2));
+}
+
+TEST(LoadLevel, AMissingTextureIsNotedOnce) {
+  const test::TemporaryFolder folder;
+  folder.write("id1/maps/tiny.bsp", bytes_of(tiny_level(/*missing_texture=*/true)));
+  const auto loaded = load_level(open_or_die(folder), "tiny");
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message();
+  EXPECT_THAT(loaded->notes, ElementsAre(HasSubstr("tiny: missing textures, drawn as a checker: ")));
+}
+
+TEST(LoadLevel, AMissingLevelIsNotFound) {
+  const test::TemporaryFolder folder;
+  folder.write("id1/maps/other.bsp", "");
+  const auto loaded = load_level(open_or_die(folder), "tiny");
+  ASSERT_FALSE(loaded.ok());
+  EXPECT_EQ(loaded.error().code, base::ErrorCode::kNotFound);
+  EXPECT_THAT(loaded.error().message(), HasSubstr("maps/tiny.bsp"));
+}
+
+TEST(LoadLevel, ADamagedLevelIsNamedWithItsArchive) {
+  const test::TemporaryFolder folder;
+  folder.write(
+      "id1/pak0.pak",
+      formats::write_pak(std::vector<formats::ArchiveFile>{{"maps/tiny.bsp", base::as_bytes("not a level")}})
+          .value());
+  const auto loaded = load_level(open_or_die(folder), "tiny");
+  ASSERT_FALSE(loaded.ok());
+  EXPECT_EQ(loaded.error().file, "maps/tiny.bsp in " + (folder.path() / "id1" / "pak0.pak").string());
+}
+
+TEST(LoadLevelFile, TakesTheLightBesideIt) {
+  const formats::Bsp bsp = tiny_level();
+  const test::TemporaryFolder folder;
+  const auto path = folder.write("somewhere/tiny.bsp", bytes_of(bsp));
+  const auto plain = load_level_file(path);
+  ASSERT_TRUE(plain.ok()) << plain.error().message();
+  EXPECT_EQ(plain->level->name, "tiny");
+  EXPECT_THAT(plain->level->light_rgb, IsEmpty());
+  folder.write("somewhere/tiny.lit", lit_for(bsp, 9));
+  const auto coloured = load_level_file(path);
+  ASSERT_TRUE(coloured.ok());
+  EXPECT_THAT(coloured->level->light_rgb, ::testing::Each(9));
+}
+
+TEST(LoadLevelFile, ErrorsNameTheFile) {
+  const test::TemporaryFolder folder;
+  const auto missing = load_level_file(folder.path() / "none.bsp");
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.error().code, base::ErrorCode::kNotFound);
+  EXPECT_EQ(missing.error().file, (folder.path() / "none.bsp").string());
+  const auto damaged = load_level_file(folder.write("damaged.bsp", "junk"));
+  ASSERT_FALSE(damaged.ok());
+  EXPECT_EQ(damaged.error().file, (folder.path() / "damaged.bsp").string());
+  EXPECT_FALSE(load_level_file(folder.path()).ok());
+}
+
+TEST(LoadLook, ReadsPaletteAndColormap) {
+  test::Random random(5);
+  const base::ByteVector palette = test::random_bytes(random, 768);
+  const base::ByteVector colormap = test::random_bytes(random, 16385);
+  const test::TemporaryFolder folder;
+  folder.write("id1/gfx/palette.lmp", palette);
+  folder.write("id1/gfx/colormap.lmp", colormap);
+  const auto look = load_look(open_or_die(folder));
+  ASSERT_TRUE(look.ok()) << look.error().message();
+  EXPECT_EQ(formats::write_palette(look->palette), palette);
+  EXPECT_EQ(formats::write_colormap(look->colormap), colormap);
+}
+
+TEST(LoadLook, AMissingColormapIsMade) {
+  const test::TemporaryFolder folder;
+  folder.write("id1/gfx/palette.lmp", base::ByteVector(768, std::byte{128}));
+  const auto look = load_look(open_or_die(folder));
+  ASSERT_TRUE(look.ok());
+  // All colours are the same: the lowest index stands for the lit ones, full-bright ones stay.
+  EXPECT_EQ(look->colormap.rows[31 * 256 + 100], 0);
+  EXPECT_EQ(look->colormap.rows[31 * 256 + 250], 250);
+}
+
+TEST(LoadLook, ErrorsNameTheFile) {
+  const test::TemporaryFolder folder;
+  folder.write("id1/a", "");
+  const auto missing = load_look(open_or_die(folder));
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.error().code, base::ErrorCode::kNotFound);
+  EXPECT_EQ(missing.error().file, "gfx/palette.lmp");
+  const auto path = folder.write("id1/gfx/palette.lmp", "short");
+  const auto damaged = load_look(open_or_die(folder));
+  ASSERT_FALSE(damaged.ok());
+  EXPECT_EQ(damaged.error().file, path.string());
+}
+
+TEST(LoadLevel, LoadsStockLevelsWithoutANote) {
+  DATA_FOLDER_OR_SKIP(data);
+  const auto files = vfs::FileSystem::open(data);
+  ASSERT_TRUE(files.ok()) << files.error().message();
+  EXPECT_TRUE(load_look(*files).ok());
+  std::vector<std::string> names = files->list("maps/", ".bsp");
+  ASSERT_FALSE(names.empty());
+  if (test::kQuick) names = {"maps/start.bsp"};
+  for (const std::string& name : names) {
+    const std::string map_name = name.substr(5, name.size() - 9);
+    const auto loaded = load_level(*files, map_name);
+    ASSERT_TRUE(loaded.ok()) << loaded.error().message();
+    EXPECT_THAT(loaded->notes, IsEmpty()) << name;
+    const bool coloured = files->contains("maps/" + map_name + ".lit");
+    EXPECT_EQ(loaded->level->light_rgb.size(), coloured ? 3 * loaded->level->light.size() : 0) << name;
+  }
+}
+
+}  // namespace
+}  // namespace temblor::assets
