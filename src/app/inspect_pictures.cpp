@@ -48,7 +48,9 @@ base::Result<Inspection> inspect_colormap(base::Bytes bytes) {
       dimmed += index >= first_fullbright && !same ? 1 : 0;
     }
   }
-  if (changed > 0) problems.push_back(fmt::format("row {} changes {} colours", kNormalRow, changed));
+  if (changed > 0)
+    problems.push_back(
+        fmt::format("row {} is normal light, yet maps {} indices to others", kNormalRow, changed));
   if (dimmed > 0) problems.push_back(fmt::format("{} entries of full-bright colours change", dimmed));
   return Inspection{{"rows", formats::Colormap::kRows},
                     {"full-bright colours", colormap.fullbrights},

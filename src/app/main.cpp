@@ -1,4 +1,6 @@
 // The program: reads the command line and runs one command.
+#include <fmt/format.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -64,6 +66,14 @@ base::Status run(const Commands& commands) {
   return base::Ok{};
 }
 
+// What is wrong with the command line, in our words where CLI11's would mislead.
+std::string describe_parse_error(const CLI::App& program, const CLI::ParseError& error) {
+  const std::vector<std::string> unknown = program.remaining();
+  if (program.get_subcommands().empty() && !unknown.empty())
+    return fmt::format("there is no command or option \"{}\"", unknown.front());
+  return error.what();
+}
+
 int run_program(int argument_count, const char* const* arguments) {
   CLI::App program("Temblor: draws and plays Quake-class levels without a GPU", "temblor");
   Commands commands;
@@ -73,7 +83,7 @@ int run_program(int argument_count, const char* const* arguments) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
       return program.exit(error);  // --help and --version, printed to standard output
-    print_error(base::Error{base::ErrorCode::kUsage, error.what(), {}});
+    print_error(base::Error{base::ErrorCode::kUsage, describe_parse_error(program, error), {}});
     return kExitUsage;
   }
   const base::Status status = run(commands);

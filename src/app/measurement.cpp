@@ -8,6 +8,7 @@
 #include "app/allocation_counter.h"
 #include "app/floor_loop.h"
 #include "app/level_scene.h"
+#include "app/progress.h"
 #include "app/viewpoints.h"
 
 namespace temblor::app {
@@ -77,8 +78,10 @@ class Bench {
 // Views whose surfaces are all still to be built, and the surfaces that a whole circle needs.
 void measure_cold(Bench& io_bench, Measurement& io_result) {
   constexpr std::size_t kDirections = 4;
+  Progress progress("cold places");
   std::vector<double> cold_ms, circle_bytes;
   for (const auto& circle : io_bench.circles()) {
+    progress.update(circle_bytes.size(), io_bench.circles().size());
     for (std::size_t i = 0; i < kDirections; ++i) {
       const render::Camera& camera = circle[i * circle.size() / kDirections];
       io_bench.drop_surfaces();
@@ -128,7 +131,9 @@ Samples measure_warm(Bench& io_bench, Measurement& io_result) {
     views += circle.size();
   }
   samples.reserve(views);
+  Progress progress("warm views");
   for (const auto& circle : io_bench.circles()) {
+    progress.update(samples.frame_ms.size(), views);
     for (const render::Camera& camera : circle) {
       render::FrameStats stats;
       const std::uint64_t allocations_before = allocation_count();
@@ -162,6 +167,7 @@ Measurement measure(const LoadedMap& map, const MeasureOptions& options) {
   result.fps = 1000.0 / mean_of(samples.frame_ms);
   result.frame_ms = distribution_of(samples.frame_ms);
   result.render_ms = distribution_of(samples.render_ms);
+  result.present_mean_ms = mean_of(samples.present_ms);
   result.present_ms = distribution_of(samples.present_ms);
   result.floor_ms = distribution_of(samples.floor_ms);
   result.faces_in_pvs = distribution_of(samples.faces_in_pvs);

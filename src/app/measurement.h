@@ -32,6 +32,7 @@ struct Measurement {
   Distribution frame_ms;   // render and present
   Distribution render_ms;
   Distribution present_ms;  // palette expansion; 0 for rgb, which a window takes as it is
+  double present_mean_ms = 0;
   Distribution floor_ms;
   // Four views at each place, 90 degrees apart, all surfaces dropped before each; only with options.cold.
   std::optional<Distribution> cold_ms;

@@ -97,7 +97,7 @@ nlohmann::json json_of(const std::string& map, const Measurement& m) {
     json["stages"][render::kStageNames[stage]] = m.stage_ms[stage];
     json["cycles_per_pixel"][render::kStageNames[stage]] = m.stage_cycles_per_pixel[stage];
   }
-  json["stages"]["present"] = m.present_ms.p50;
+  json["stages"]["present"] = m.present_mean_ms;
   if (m.cold_ms) json["cold_ms"] = json_of(*m.cold_ms);
   if (m.circle_cache_bytes) json["circle_cache_bytes"] = json_of(*m.circle_cache_bytes);
   return json;

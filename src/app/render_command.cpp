@@ -5,6 +5,7 @@
 #include "app/level_loading.h"
 #include "app/level_scene.h"
 #include "app/picture_file.h"
+#include "app/progress.h"
 #include "app/viewpoints.h"
 
 namespace temblor::app {
@@ -96,6 +97,7 @@ base::Status run_render(const RenderOptions& options, const GameFolders& folders
   render::Camera camera = first_camera(options, *loaded.level);
   render::Renderer renderer(loaded.look.palette, loaded.look.colormap);
   render::FrameBuffer frame(options.frame.size.width, options.frame.size.height, options.frame.format);
+  Progress progress("frames");
   const float first_yaw_deg = camera.angles_deg.y;
   for (int i = 0; i < options.frames; ++i) {
     camera.angles_deg.y = first_yaw_deg + static_cast<float>(options.turn_deg * i);
@@ -103,6 +105,8 @@ base::Status run_render(const RenderOptions& options, const GameFolders& folders
         renderer.render(scene_at(level_scene, camera, options.time_s), settings, frame);
     TRY(const std::string path, numbered_name(options.out, static_cast<std::size_t>(i)));
     TRY_STATUS(write_picture_file(path, frame, loaded.look.palette));
+    if (options.frames > 1)
+      progress.update(static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(options.frames));
     if (options.stats) fmt::print("{}\n{}", path, describe_frame(stats, frame.pixel_count()));
   }
   return base::Ok{};

@@ -215,7 +215,8 @@ std::string describe_values(const Variable& variable) {
                          variable.type == VariableType::kInt ? " whole number" : " number", variable.min,
                          variable.max);
     case VariableType::kChoice:
-      return fmt::format("{}", fmt::join(variable.choices, " or "));
+      return fmt::format("{}{}", variable.choices.size() > 2 ? "one of " : "",
+                         fmt::join(variable.choices, variable.choices.size() > 2 ? ", " : " or "));
     case VariableType::kText:
       break;
   }

@@ -77,7 +77,7 @@ class Variables {
   std::uint64_t version_ = 0;
 };
 
-// What set() accepts for a variable: "0 or 1", "-1 to 3", "stock or footprint", "any text".
+// What set() accepts for a variable: "0 or 1", "-1 to 3", "stock or footprint", "one of a, b, c", "any text".
 std::string describe_values(const Variable& variable);
 
 }  // namespace temblor::command

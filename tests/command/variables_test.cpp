@@ -97,7 +97,7 @@ TEST(Variables, ErrorsSayWhatIsTaken) {
   ASSERT_FALSE(range.ok());
   EXPECT_EQ(range.error().code, base::ErrorCode::kUsage);
   EXPECT_EQ(range.error().what, "r_count cannot be \"77\": it takes a whole number from -1 to 10");
-  EXPECT_THAT(table.variables.set("colour", "pink").error().what, HasSubstr("red or green or blue"));
+  EXPECT_THAT(table.variables.set("colour", "pink").error().what, HasSubstr("one of red, green, blue"));
   EXPECT_THAT(table.variables.set("r_scale", "9").error().what, HasSubstr("a number from 0 to 2"));
   EXPECT_THAT(table.variables.set("r_flag", "9").error().what, HasSubstr("0 or 1"));
   const base::Status unknown = table.variables.set("r_nothing", "1");
