@@ -50,19 +50,25 @@ void Tally::add(const Tally& other) {
     if (findings.size() < Tally::kMostFindings) findings.push_back(finding);
 }
 
-VisibleSet::VisibleSet(const world::Level& level, const math::Vec3& eye_world)
-    : everything_(false), faces_(level.faces.size()) {
-  world::decompress_pvs(level, world::find_leaf(level, eye_world), row_);
-  for (std::size_t i = 0; i < level.leafs.size(); ++i) {
-    if (!has_leaf(base::to_index<world::LeafIndex>(i))) continue;
-    const world::Leaf& leaf = level.leafs[i];
-    for (std::uint32_t mark = 0; mark < leaf.marked_face_count; ++mark)
-      faces_[base::to_size(level.marked_faces[leaf.first_marked_face + mark])] = true;
-  }
+VisibleSet::VisibleSet(const world::Level& level) : leafs_(level.leafs.size(), true) {
+  show_faces_of_leafs(level);
 }
 
-bool VisibleSet::has_leaf(world::LeafIndex leaf) const {
-  return everything_ || world::pvs_has(row_, leaf);
+VisibleSet::VisibleSet(const world::Level& level, const math::Vec3& eye_world) {
+  std::vector<std::uint8_t> row;
+  world::decompress_pvs(level, world::find_leaf(level, eye_world), row);
+  for (std::size_t i = 0; i < level.leafs.size(); ++i)
+    leafs_.push_back(world::pvs_has(row, base::to_index<world::LeafIndex>(i)));
+  show_faces_of_leafs(level);
+}
+
+void VisibleSet::show_faces_of_leafs(const world::Level& level) {
+  faces_.resize(level.faces.size());
+  for (std::size_t i = 0; i < level.leafs.size(); ++i) {
+    const world::Leaf& leaf = level.leafs[i];
+    for (std::uint32_t mark = 0; leafs_[i] && mark < leaf.marked_face_count; ++mark)
+      faces_[base::to_size(level.marked_faces[leaf.first_marked_face + mark])] = true;
+  }
 }
 
 Comparison::Comparison(const PreparedLevel& prepared, const render::Scene& scene, const Drawn& drawn)
@@ -71,10 +77,10 @@ Comparison::Comparison(const PreparedLevel& prepared, const render::Scene& scene
       scene_(scene),
       drawn_(drawn),
       ray_scene_(prepared, scene.brush_models),
-      rays_(scene.camera, drawn.frame.width(), drawn.frame.height()) {
-  const bool trusts_pvs = drawn.use_pvs && scene.camera.projection == render::Projection::kPerspective;
-  if (trusts_pvs) visible_ = VisibleSet(level_, scene.camera.origin_world);
-}
+      rays_(scene.camera, drawn.frame.width(), drawn.frame.height()),
+      visible_(drawn.use_pvs && scene.camera.projection == render::Projection::kPerspective
+                   ? VisibleSet(level_, scene.camera.origin_world)
+                   : VisibleSet(level_)) {}
 
 // A world face is drawn where the PVS has it; a brush model's, where the leaf that it is seen in is open and
 // in the PVS.

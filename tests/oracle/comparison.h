@@ -43,20 +43,22 @@ struct Tally {
   }
 };
 
-// What the eye's leaf may see: all that a renderer that trusts the PVS has to draw.
+// The part of the world that may be drawn: the faces that its leafs show (compilers leave some that none
+// does, where liquid meets solid).
 class VisibleSet {
  public:
-  // Everything: the PVS is off.
-  VisibleSet() = default;
+  // All leafs: the PVS is off.
+  explicit VisibleSet(const world::Level& level);
+  // Those that the eye's leaf may see: all that a renderer that trusts the PVS has to draw.
   VisibleSet(const world::Level& level, const math::Vec3& eye_world);
 
-  bool has_face(world::FaceIndex face) const { return everything_ || faces_[base::to_size(face)]; }
-  bool has_leaf(world::LeafIndex leaf) const;
+  bool has_face(world::FaceIndex face) const { return faces_[base::to_size(face)]; }
+  bool has_leaf(world::LeafIndex leaf) const { return leafs_[base::to_size(leaf)]; }
 
  private:
-  bool everything_ = true;
-  std::vector<bool> faces_;
-  std::vector<std::uint8_t> row_;
+  void show_faces_of_leafs(const world::Level& level);
+
+  std::vector<bool> leafs_, faces_;
 };
 
 // One frame and all that its pixels depend on. What it is given must outlive it. The frame was drawn with

@@ -125,6 +125,12 @@ TEST_F(SpoiledPicture, WithDepthsOfTheNextPixel) {
   EXPECT_LT(tally.right_depths, tally.depths) << tally.summary();
 }
 
+// Compilers leave faces that no leaf shows; they are not there.
+TEST_F(SpoiledPicture, WithAFaceThatNoLeafShows) {
+  level_.leafs[1].marked_face_count = 1;
+  EXPECT_GT(compare().wrong_face, 50u);
+}
+
 // Two faces in one place: whichever the renderer draws is right.
 TEST_F(SpoiledPicture, WithATie) {
   const PolygonVertices square = {{20, 5, -5}, {20, 5, 5}, {20, -5, 5}, {20, -5, -5}};

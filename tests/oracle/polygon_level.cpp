@@ -74,6 +74,9 @@ world::Level make_polygon_level(std::span<const PolygonModel> models) {
     for (const PolygonVertices& vertices : polygons.polygons) add_face(vertices, level);
     level.models.push_back(model);
   }
+  for (std::uint32_t face = 0; face < level.world().face_count; ++face)
+    level.marked_faces.push_back(world::FaceIndex{face});
+  level.leafs[1].marked_face_count = level.world().face_count;
   return level;
 }
 
