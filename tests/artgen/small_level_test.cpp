@@ -1,11 +1,19 @@
+// The level made in code: sound in every variant, shaped as its plan says, and with what each option
+// promises.
 #include "artgen/small_level.h"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "formats/bsp.h"
+#include "formats/entities.h"
+#include "support/plan_contents.h"
 
 namespace temblor::artgen {
 namespace {
@@ -25,6 +33,7 @@ std::vector<NamedOptions> every_option() {
           {"MissingTexture", {.missing_texture = true}},
           {"ColouredLight", {.coloured_light = true}},
           {"Tiny", {.tiny = true}},
+          {"OtherSeed", {.tiny = true, .seed = 99}},
           {"TinyWithEverything",
            {.four_styles = true,
             .wide_faces = true,
@@ -36,7 +45,7 @@ std::vector<NamedOptions> every_option() {
 
 class EverySmallLevel : public testing::TestWithParam<NamedOptions> {};
 
-TEST_P(EverySmallLevel, IsReadAndWrittenInEveryVersion) {
+TEST_P(EverySmallLevel, IsWrittenAndReadInEveryVersion) {
   const formats::Bsp bsp = make_small_level(GetParam().options);
   for (const auto version :
        {formats::BspVersion::k29, formats::BspVersion::k2Psb, formats::BspVersion::kBsp2}) {
@@ -44,14 +53,249 @@ TEST_P(EverySmallLevel, IsReadAndWrittenInEveryVersion) {
     ASSERT_TRUE(bytes.ok()) << bytes.error().message();
     const auto read = formats::read_bsp(*bytes);
     ASSERT_TRUE(read.ok()) << read.error().message();
-    const auto again = formats::write_bsp(*read, version);
-    ASSERT_TRUE(again.ok()) << again.error().message();
-    EXPECT_EQ(*again, *bytes);
+    formats::Bsp expected = bsp;
+    expected.version = version;
+    EXPECT_TRUE(*read == expected);
+  }
+}
+
+TEST_P(EverySmallLevel, IsTheSameEveryTime) {
+  EXPECT_TRUE(make_small_level(GetParam().options) == make_small_level(GetParam().options));
+}
+
+// Where the sides of the plan's boxes cut space, everything between is of one contents.
+TEST_P(EverySmallLevel, HasTheContentsOfItsPlanInEveryCell) {
+  const formats::Bsp bsp = make_small_level(GetParam().options);
+  const std::vector<SmallLevelBox> boxes = small_level_boxes(GetParam().options);
+  std::array<std::set<float>, 3> cuts;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const SmallLevelBox& box : boxes)
+      for (const float side : {box.bounds.mins[axis], box.bounds.maxs[axis]}) {
+        // Also a cell on the outside.
+        for (const float cut : {side - 4, side, side + 4}) cuts[static_cast<std::size_t>(axis)].insert(cut);
+      }
+  const auto contents_at = [&](const math::Vec3& point) {
+    std::int32_t node = bsp.models[0].head_nodes[0];
+    while (node >= 0) {
+      const formats::BspNode& bsp_node = bsp.nodes[static_cast<std::size_t>(node)];
+      const formats::BspPlane& plane = bsp.planes[bsp_node.plane];
+      node = bsp_node.children[glm::dot(plane.normal, point) >= plane.distance ? 0 : 1];
+    }
+    return bsp.leafs[static_cast<std::size_t>(-(node + 1))].contents;
+  };
+  std::map<std::int32_t, int> seen;
+  for (auto x = cuts[0].begin(); std::next(x) != cuts[0].end(); ++x) {
+    for (auto y = cuts[1].begin(); std::next(y) != cuts[1].end(); ++y) {
+      for (auto z = cuts[2].begin(); std::next(z) != cuts[2].end(); ++z) {
+        const math::Vec3 centre((*x + *std::next(x)) / 2, (*y + *std::next(y)) / 2, (*z + *std::next(z)) / 2);
+        const std::int32_t expected = test::plan_contents(boxes, centre);
+        ASSERT_EQ(contents_at(centre), expected) << centre.x << " " << centre.y << " " << centre.z;
+        ++seen[expected];
+      }
+    }
+  }
+  for (const std::int32_t contents : {-1, -2, -3, -6}) EXPECT_GT(seen[contents], 0) << contents;
+}
+
+std::vector<math::Vec3> vertices_of(const formats::Bsp& bsp, const formats::BspFace& face) {
+  std::vector<math::Vec3> vertices;
+  for (std::uint32_t i = 0; i < face.surfedge_count; ++i) {
+    const std::int32_t surfedge = bsp.surfedges[face.first_surfedge + i];
+    const formats::BspEdge& edge = bsp.edges[static_cast<std::size_t>(std::abs(surfedge))];
+    vertices.push_back(bsp.vertices[edge.vertices[surfedge < 0 ? 1 : 0]]);
+  }
+  return vertices;
+}
+
+double area_of(const std::vector<math::Vec3>& vertices) {
+  math::Vec3d doubled(0.0);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    doubled += glm::cross(math::Vec3d(vertices[i] - vertices[0]),
+                          math::Vec3d(vertices[(i + 1) % vertices.size()] - vertices[0]));
+  return glm::length(doubled) / 2;
+}
+
+// The sides where an open place of the plan ends, seen from it, by direction (+x, -x, +y, ...), in square
+// units.
+std::array<double, 6> visible_areas(const std::vector<SmallLevelBox>& boxes) {
+  std::array<std::set<float>, 3> cut_sets;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const SmallLevelBox& box : boxes) {
+      cut_sets[static_cast<std::size_t>(axis)].insert(box.bounds.mins[axis]);
+      cut_sets[static_cast<std::size_t>(axis)].insert(box.bounds.maxs[axis]);
+    }
+  std::array<std::vector<float>, 3> cuts;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    cuts[axis].push_back(*cut_sets[axis].begin() - 8);
+    cuts[axis].insert(cuts[axis].end(), cut_sets[axis].begin(), cut_sets[axis].end());
+    cuts[axis].push_back(*cut_sets[axis].rbegin() + 8);
+  }
+  const auto is_open = [](std::int32_t contents) { return contents == -1 || contents == -3; };
+  std::array<double, 6> areas{};
+  for (std::size_t i = 0; i + 1 < cuts[0].size(); ++i) {
+    for (std::size_t j = 0; j + 1 < cuts[1].size(); ++j) {
+      for (std::size_t k = 0; k + 1 < cuts[2].size(); ++k) {
+        const math::Vec3 low(cuts[0][i], cuts[1][j], cuts[2][k]);
+        const math::Vec3 high(cuts[0][i + 1], cuts[1][j + 1], cuts[2][k + 1]);
+        const std::int32_t here = test::plan_contents(boxes, (low + high) / 2.0f);
+        if (!is_open(here)) continue;
+        const math::Vec3d size(high - low);
+        for (int axis = 0; axis < 3; ++axis) {
+          math::Vec3 beyond = (low + high) / 2.0f;
+          const double area = size[(axis + 1) % 3] * size[(axis + 2) % 3];
+          beyond[axis] = low[axis] - 1;
+          if (test::plan_contents(boxes, beyond) != here) areas[static_cast<std::size_t>(axis * 2)] += area;
+          beyond[axis] = high[axis] + 1;
+          if (test::plan_contents(boxes, beyond) != here)
+            areas[static_cast<std::size_t>(axis * 2 + 1)] += area;
+        }
+      }
+    }
+  }
+  return areas;
+}
+
+TEST_P(EverySmallLevel, FacesCoverWhateverCanBeSeenOnce) {
+  const formats::Bsp bsp = make_small_level(GetParam().options);
+  std::array<double, 6> areas{};
+  for (std::uint32_t i = 0; i < bsp.models[0].face_count; ++i) {
+    const formats::BspFace& face = bsp.faces[bsp.models[0].first_face + i];
+    const auto axis = static_cast<std::size_t>(bsp.planes[face.plane].type);
+    areas[axis * 2 + static_cast<std::size_t>(face.side)] += area_of(vertices_of(bsp, face));
+  }
+  const std::array<double, 6> expected = visible_areas(small_level_boxes(GetParam().options));
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(areas[i], expected[i], 1e-3) << i;
+}
+
+TEST_P(EverySmallLevel, NoVertexLiesInsideAnEdge) {
+  const formats::Bsp bsp = make_small_level(GetParam().options);
+  // The door's edges may: it is a model of its own.
+  const std::uint32_t world_faces = bsp.models[0].face_count;
+  std::set<std::uint32_t> world_vertices;
+  std::set<std::size_t> world_edges;
+  for (std::uint32_t face = 0; face < world_faces; ++face) {
+    for (std::uint32_t i = 0; i < bsp.faces[face].surfedge_count; ++i) {
+      const auto edge = static_cast<std::size_t>(std::abs(bsp.surfedges[bsp.faces[face].first_surfedge + i]));
+      world_edges.insert(edge);
+      for (const std::uint32_t vertex : bsp.edges[edge].vertices) world_vertices.insert(vertex);
+    }
+  }
+  for (const std::size_t edge : world_edges) {
+    const math::Vec3 a = bsp.vertices[bsp.edges[edge].vertices[0]];
+    const math::Vec3 b = bsp.vertices[bsp.edges[edge].vertices[1]];
+    for (const std::uint32_t vertex : world_vertices) {
+      const math::Vec3 p = bsp.vertices[vertex];
+      const bool between =
+          p != a && p != b && glm::distance(a, p) + glm::distance(p, b) == glm::distance(a, b);
+      ASSERT_FALSE(between) << "vertex " << vertex << " on edge " << edge;
+    }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Options, EverySmallLevel, testing::ValuesIn(every_option()),
                          [](const auto& test) { return test.param.name; });
+
+int most_uses_of_an_edge(const formats::Bsp& bsp) {
+  std::map<std::int32_t, int> uses;
+  int most = 0;
+  for (const std::int32_t surfedge : bsp.surfedges) most = std::max(most, ++uses[std::abs(surfedge)]);
+  return most;
+}
+
+TEST(SmallLevel, SharesEdgesBetweenTwoFacesOrMore) {
+  EXPECT_EQ(most_uses_of_an_edge(make_small_level()), 2);
+  EXPECT_GE(most_uses_of_an_edge(make_small_level({.edge_used_three_times = true})), 3);
+  EXPECT_GE(most_uses_of_an_edge(make_small_level({.edge_used_three_times = true, .tiny = true})), 3);
+}
+
+double longest_lit_side_texels(const formats::Bsp& bsp) {
+  double longest = 0;
+  for (const formats::BspFace& face : bsp.faces) {
+    const formats::BspTexinfo& info = bsp.texinfos[face.texinfo];
+    if (face.light_offset < 0) continue;
+    for (const math::Vec3& a : vertices_of(bsp, face))
+      for (const math::Vec3& b : vertices_of(bsp, face))
+        longest =
+            std::max(longest, double{std::max(glm::dot(info.s_axis, a - b), glm::dot(info.t_axis, a - b))});
+  }
+  return longest;
+}
+
+TEST(SmallLevel, HasFacesWiderThanStockOnlyWhenAsked) {
+  EXPECT_EQ(longest_lit_side_texels(make_small_level()), 256);
+  EXPECT_EQ(longest_lit_side_texels(make_small_level({.wide_faces = true})), 1024);
+}
+
+std::size_t most_styles(const formats::Bsp& bsp) {
+  std::size_t most = 0;
+  for (const formats::BspFace& face : bsp.faces)
+    most = std::max(most, static_cast<std::size_t>(std::count_if(face.styles.begin(), face.styles.end(),
+                                                                 [](auto style) { return style != 255; })));
+  return most;
+}
+
+TEST(SmallLevel, HasTheLightThatIsAskedFor) {
+  EXPECT_EQ(most_styles(make_small_level()), 2u);
+  EXPECT_EQ(most_styles(make_small_level({.four_styles = true})), 4u);
+  const formats::Bsp dark = make_small_level({.light = false, .coloured_light = true});
+  EXPECT_TRUE(dark.lighting.empty());
+  EXPECT_TRUE(dark.bspx.empty());
+  EXPECT_EQ(most_styles(dark), 0u);
+  EXPECT_TRUE(make_small_level().bspx.empty());
+  const formats::Bsp coloured = make_small_level({.coloured_light = true});
+  const formats::BspxLump* lump = coloured.find_bspx("RGBLIGHTING");
+  ASSERT_NE(lump, nullptr);
+  EXPECT_EQ(lump->data.size(), coloured.lighting.size() * 3);
+  EXPECT_EQ(coloured.lighting, make_small_level().lighting);
+}
+
+TEST(SmallLevel, HidesLeafsFromOneAnotherOnlyWithAPvs) {
+  const formats::Bsp bsp = make_small_level();
+  EXPECT_FALSE(bsp.visibility.empty());
+  for (std::int32_t leaf = 1; leaf <= bsp.models[0].visible_leafs; ++leaf)
+    EXPECT_GE(bsp.leafs[static_cast<std::size_t>(leaf)].visibility_offset, 0);
+  const formats::Bsp open = make_small_level({.pvs = false});
+  EXPECT_TRUE(open.visibility.empty());
+  for (const formats::BspLeaf& leaf : open.leafs) EXPECT_EQ(leaf.visibility_offset, -1);
+}
+
+TEST(SmallLevel, LeavesOutTheTextureThatIsToBeMissing) {
+  const auto empty = [](const formats::BspMiptex& miptex) { return miptex.mips[0].empty(); };
+  const formats::Bsp whole = make_small_level();
+  EXPECT_EQ(std::count_if(whole.miptexes.begin(), whole.miptexes.end(), empty), 0);
+  const formats::Bsp lacking = make_small_level({.missing_texture = true});
+  EXPECT_EQ(std::count_if(lacking.miptexes.begin(), lacking.miptexes.end(), empty), 1);
+}
+
+TEST(SmallLevel, SeedChangesTheTexturesOnly) {
+  formats::Bsp other = make_small_level({.seed = 2});
+  formats::Bsp first = make_small_level();
+  EXPECT_FALSE(other == first);
+  other.miptexes = first.miptexes;
+  EXPECT_TRUE(other == first);
+}
+
+TEST(SmallLevel, TinyOneIsSmallAsAFile) {
+  const auto bytes = formats::write_bsp(make_small_level({.tiny = true}), formats::BspVersion::k29);
+  EXPECT_LT(bytes->size(), 20'000u);
+}
+
+TEST(SmallLevel, StartsThePlayerInTheOpen) {
+  for (const bool tiny : {false, true}) {
+    const SmallLevelOptions options{.tiny = tiny};
+    const auto entities = formats::read_entities(make_small_level(options).entities);
+    ASSERT_TRUE(entities.ok());
+    int starts = 0;
+    for (const formats::Entity& entity : *entities) {
+      const auto origin = entity.find_vec3("origin");
+      if (!entity.classname().starts_with("info_") || !origin) continue;
+      ++starts;
+      const math::Bounds player{*origin + math::Vec3(-16, -16, -24), *origin + math::Vec3(16, 16, 32)};
+      EXPECT_FALSE(test::plan_stops_box(small_level_boxes(options), player)) << entity.classname();
+    }
+    EXPECT_GE(starts, 1);
+  }
+}
 
 }  // namespace
 }  // namespace temblor::artgen

@@ -170,6 +170,17 @@ TEST(Pvs, HoldsEveryLeafThatARayReachesInTheSmallLevel) {
   expect_rays_stay_visible(small_test_level({.tiny = true}), random, 5000);
 }
 
+TEST(Pvs, HidesWhatLiesAroundTwoCorners) {
+  const TestLevel test = small_test_level();
+  const LeafIndex cellar = find_leaf(*test.level, {128, 960, 64});
+  const LeafIndex court = find_leaf(*test.level, {1300, 600, 0});
+  std::vector<std::uint8_t> row;
+  decompress_pvs(*test.level, cellar, row);
+  EXPECT_FALSE(pvs_has(row, court));
+  decompress_pvs(*test.level, court, row);
+  EXPECT_FALSE(pvs_has(row, cellar));
+}
+
 TEST(Pvs, HoldsEveryLeafThatARayReachesInStockLevels) {
   DATA_FOLDER_OR_SKIP(base_folder);
   test::Random random(4);

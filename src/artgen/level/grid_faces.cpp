@@ -54,15 +54,22 @@ std::optional<Material> seen_material(const Cell& from, const Cell& to, std::siz
   return look == Look::kHall ? Material::kConcrete : wall_material(look);
 }
 
-// The materials of a plane's squares, from which rectangles are cut until none is left.
+// One square of a plane. A face holds squares that are alike, so that a wall is cut where water begins.
+struct Square {
+  Material material;
+  std::int32_t seen_from;  // contents
+  bool operator==(const Square&) const = default;
+};
+
+// What is to be seen on a plane, square by square, from which rectangles are cut until none is left.
 class Squares {
  public:
   Squares(const Grid& grid, const GridTree::Node& node, bool looks_up);
   std::vector<GridFace> cut_faces(float max_units);
 
  private:
-  std::optional<Material>& at(std::size_t i, std::size_t j) {
-    return materials_[(j - first_[1]) * width_ + i - first_[0]];
+  std::optional<Square>& at(std::size_t i, std::size_t j) {
+    return squares_[(j - first_[1]) * width_ + i - first_[0]];
   }
   std::size_t reach(std::size_t which_axis, std::size_t from, float max_units) const;
 
@@ -70,7 +77,7 @@ class Squares {
   GridFace shape_;  // axis, line, looks_up of every face
   std::array<std::size_t, 2> first_, last_;
   std::size_t width_;
-  std::vector<std::optional<Material>> materials_;
+  std::vector<std::optional<Square>> squares_;
 };
 
 Squares::Squares(const Grid& grid, const GridTree::Node& node, bool looks_up)
@@ -89,7 +96,8 @@ Squares::Squares(const Grid& grid, const GridTree::Node& node, bool looks_up)
       above[v] = below[v] = j;
       const Cell& front = grid.at(looks_up ? above : below);
       const Cell& back = grid.at(looks_up ? below : above);
-      materials_.push_back(seen_material(front, back, node.axis, looks_up));
+      const std::optional<Material> material = seen_material(front, back, node.axis, looks_up);
+      squares_.push_back(material ? std::optional(Square{*material, front.contents}) : std::nullopt);
     }
   }
 }
@@ -106,15 +114,15 @@ std::vector<GridFace> Squares::cut_faces(float max_units) {
   std::vector<GridFace> faces;
   for (std::size_t j = first_[1]; j < last_[1]; ++j) {
     for (std::size_t i = first_[0]; i < last_[0]; ++i) {
-      const std::optional<Material> material = at(i, j);
-      if (!material) continue;
+      const std::optional<Square> square = at(i, j);
+      if (!square) continue;
       const std::size_t max_i = reach(0, i, max_units);
       const std::size_t max_j = reach(1, j, max_units);
       std::size_t end_i = i + 1;
-      while (end_i < max_i && at(end_i, j) == material) ++end_i;
+      while (end_i < max_i && at(end_i, j) == square) ++end_i;
       const auto row_matches = [&](std::size_t row) {
         for (std::size_t k = i; k < end_i; ++k)
-          if (at(k, row) != material) return false;
+          if (at(k, row) != square) return false;
         return true;
       };
       std::size_t end_j = j + 1;
@@ -124,7 +132,7 @@ std::vector<GridFace> Squares::cut_faces(float max_units) {
       GridFace face = shape_;
       face.first = {i, j};
       face.last = {end_i, end_j};
-      face.material = *material;
+      face.material = square->material;
       faces.push_back(face);
     }
   }
