@@ -16,8 +16,9 @@ if(TEMBLOR_ONETBB)
   set(TEMBLOR_TBB_TARGET TBB::tbb)
 endif()
 
-set(TEMBLOR_HIGHWAY_TARGET "")
-if(NOT TEMBLOR_SCALAR_ONLY)
-  pkg_check_modules(highway REQUIRED IMPORTED_TARGET libhwy)
-  set(TEMBLOR_HIGHWAY_TARGET PkgConfig::highway)
+pkg_check_modules(highway REQUIRED IMPORTED_TARGET libhwy)
+set(TEMBLOR_HIGHWAY_TARGET PkgConfig::highway)
+if(TEMBLOR_SCALAR_ONLY)
+  # Highway's one-lane target and no other: kernel files then call their plain twins.
+  target_compile_definitions(temblor_flags INTERFACE HWY_COMPILE_ONLY_SCALAR)
 endif()
