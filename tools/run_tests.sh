@@ -60,9 +60,11 @@ suite() {
   fi
   all=$(suite_count "$report" tests) bad=$(suite_count "$report" failures)
   off=$(($(suite_count "$report" skipped) + $(suite_count "$report" disabled)))
+  passed=$((passed + all - bad - off)) skipped=$((skipped + off))
+  # Tests that could not be started count as skipped in the report, but not here.
   if [ "$status" -ne 0 ] && [ "$bad" -eq 0 ]; then bad=1; fi
-  passed=$((passed + all - bad - off)) failed=$((failed + bad)) skipped=$((skipped + off))
-  echo "$preset: $((all - bad - off)) passed, $bad failed, $off skipped"
+  failed=$((failed + bad))
+  echo "$preset: $all tests, $bad failed, $off skipped"
   # GoogleTest's reasons, each with how many tests gave it.
   grep -A 1 -h ': Skipped$' "$report" | grep -v -e ': Skipped$' -e '^--' | sort | uniq -c | sed 's/^/  skipped: /'
   if [ "$bad" -ne 0 ]; then grep -v -E ' Passed |^ *Start ' "$log" | head -200; fi
