@@ -46,8 +46,9 @@ void add_court(Plan& io_plan) {
   add_box(io_plan, {1088, 64, -256}, {1344, 384, -128}, kContentsEmpty, Look::kCorridor);
   add_box(io_plan, {1088, 64, -256}, {1344, 384, -144}, kContentsWater, Look::kCorridor);
   add_box(io_plan, {1120, 480, -128}, {1312, 640, -64}, kContentsSolid, Look::kTrim);
-  for (const float x : {896.0f, 1088.0f, 1280.0f})
-    for (const float y : {160.0f, 480.0f}) io_plan.lights.push_back({{x, y, 320}, 520, 0, kDaylight});
+  // Four weak lights far up, which reach everywhere about as well.
+  for (const float x : {1008.0f, 1168.0f})
+    for (const float y : {240.0f, 400.0f}) io_plan.lights.push_back({{x, y, 340}, 700, 0, 0.25f * kDaylight});
   io_plan.lights.push_back({{1216, 224, -208}, 220, 0, kPoolBlue});
   io_plan.lights.push_back({{1216, 560, -24}, 180, 1, kEmber});
 }
