@@ -28,10 +28,11 @@ world::LeafIndex leaf_in_front(const world::Level& level, const Ray& ray, double
 
 std::string Tally::summary() const {
   std::string text = fmt::format(
-      "{} pixels: face {:.4f} % (tied {}, within a pixel of an edge {}, wrong {}); colour {:.4f} % of {}; "
+      "{} pixels ({} of brush models): face {:.4f} % (tied {}, within a pixel of an edge {}, wrong {}); "
+      "colour {:.4f} % of {}; "
       "depth {:.4f} % of {}",
-      pixels, face_agreement() * 100, tied, near_edge, wrong_face, colour_agreement() * 100, colours,
-      depth_agreement() * 100, depths);
+      pixels, on_brush_models, face_agreement() * 100, tied, near_edge, wrong_face, colour_agreement() * 100,
+      colours, depth_agreement() * 100, depths);
   for (const std::string& finding : findings) text += "\n  " + finding;
   return text;
 }
@@ -42,6 +43,7 @@ void Tally::add(const Tally& other) {
   tied += other.tied;
   near_edge += other.near_edge;
   wrong_face += other.wrong_face;
+  on_brush_models += other.on_brush_models;
   colours += other.colours;
   right_colours += other.right_colours;
   depths += other.depths;
@@ -122,6 +124,7 @@ void Comparison::pixel(int x, int y, Tally& io_tally) const {
   const Ray ray = rays_.ray(x, y);
   const std::optional<Hit> hit = nearest(ray);
   ++io_tally.pixels;
+  if (hit && hit->instance > 0) ++io_tally.on_brush_models;
   if (is_same(hit, drawn)) {
     ++io_tally.same_face;
     if (!hit) return;

@@ -23,6 +23,7 @@ struct Tally {
   std::uint64_t tied = 0;       // another face at the same depth (coplanar faces of two models)
   std::uint64_t near_edge = 0;  // the oracle sees the renderer's face within one pixel from here
   std::uint64_t wrong_face = 0;
+  std::uint64_t on_brush_models = 0;  // where the oracle sees one
   // The colour, where the faces agree and the definition says what it must be.
   std::uint64_t colours = 0, right_colours = 0;
   // 1/z, where the faces agree.

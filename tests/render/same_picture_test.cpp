@@ -193,6 +193,21 @@ TEST(SamePicture, AfterTheSettingsOfAnother) {
   }
 }
 
+// Texture axes that lie across a face, or are nothing at all, leave it no texels in one direction.
+TEST(SamePicture, OfFacesWithoutExtent) {
+  DrawableLevel drawable = small_level();
+  formats::Bsp bsp = artgen::make_small_level();
+  for (std::size_t i = 0; i < bsp.texinfos.size(); ++i) {
+    formats::BspTexinfo& texinfo = bsp.texinfos[i];
+    if (i % 3 != 0) texinfo.s_axis = math::Vec3(0.0f);
+    if (i % 3 != 1) texinfo.t_axis = math::Vec3(0.0f);
+    texinfo.s_offset = texinfo.t_offset = 32;
+  }
+  drawable.level = world::make_level(std::move(bsp), "without extent").value();
+  expect_independent_of_settings(drawable);
+  expect_independent_of_history(drawable);
+}
+
 // A level may be gone, and the next one lie where it lay: nothing of the first may show.
 TEST(SamePicture, AfterALevelThatIsGone) {
   const DrawableLevel first_look = small_level();
