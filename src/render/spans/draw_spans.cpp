@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "render/spans/sky_runs.h"
 #include "render/spans/span_kernels.h"
 #include "render/spans/texture_runs.h"
 
@@ -39,6 +40,18 @@ void draw_surface(const DrawItem& item, std::span<const SpanRun> runs, KernelDiv
     vector_kernels ? draw_surface_runs_u32_vector(job, target) : draw_surface_runs_u32_plain(job, target);
 }
 
+void draw_sky(const DrawItem& item, const SkyLayers& layers, std::span<const SpanRun> runs,
+              bool vector_kernels, const KernelTarget& target, PixelFormat format) {
+  SkyRuns job = layers.runs;
+  job.depth = kernel_plane(item.depth);
+  job.runs = reinterpret_cast<const KernelRun*>(runs.data());
+  job.run_count = runs.size();
+  if (format == PixelFormat::kIndexed)
+    vector_kernels ? draw_sky_runs_u8_vector(job, target) : draw_sky_runs_u8_plain(job, target);
+  else
+    vector_kernels ? draw_sky_runs_u32_vector(job, target) : draw_sky_runs_u32_plain(job, target);
+}
+
 // Where nothing is: palette entry 0, infinitely far.
 void draw_background(std::span<const SpanRun> runs, const BuildTables& tables, bool fill_depth,
                      FrameBuffer& io_frame) {
@@ -56,10 +69,12 @@ void draw_background(std::span<const SpanRun> runs, const BuildTables& tables, b
 }  // namespace
 
 void draw_spans(const Scene& scene, const Settings& settings, const ViewFrame& view, const SpanTable& spans,
-                const DrawItems& items, const BuildTables& tables, base::Jobs& jobs,
+                const DrawItems& items, const BuildTables& tables, base::Jobs& jobs, base::Arena& arena,
                 std::vector<base::Arena>& io_job_arenas, FrameBuffer& io_frame) {
   const KernelDivide divide = divide_of(settings, view);
   const TextureRunFrame texture_frame = make_texture_run_frame(scene, settings, view, tables);
+  const std::span<const SkyLayers*> skies =
+      prepare_sky_layers(scene, view, items, tables, io_frame.format(), arena);
   const bool indexed = io_frame.format() == PixelFormat::kIndexed;
   const KernelTarget target{indexed ? static_cast<void*>(io_frame.indexed().data()) : io_frame.rgb().data(),
                             settings.fill_depth ? io_frame.depth().data() : nullptr,
@@ -73,6 +88,9 @@ void draw_spans(const Scene& scene, const Settings& settings, const ViewFrame& v
           band.run_begin[position], band.run_begin[position + 1] - band.run_begin[position]);
       if (item.kind == ItemKind::kSurface)
         draw_surface(item, runs, divide, settings.vector_kernels, target, io_frame.format());
+      else if (item.kind == ItemKind::kSky)
+        draw_sky(item, *skies[band.items[position]], runs, settings.vector_kernels, target,
+                 io_frame.format());
       else if (item.kind == ItemKind::kNothing)
         draw_background(runs, tables, settings.fill_depth, io_frame);
       else

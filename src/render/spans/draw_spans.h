@@ -11,7 +11,7 @@
 namespace temblor::render {
 
 void draw_spans(const Scene& scene, const Settings& settings, const ViewFrame& view, const SpanTable& spans,
-                const DrawItems& items, const BuildTables& tables, base::Jobs& jobs,
+                const DrawItems& items, const BuildTables& tables, base::Jobs& jobs, base::Arena& arena,
                 std::vector<base::Arena>& io_job_arenas, FrameBuffer& io_frame);
 
 }  // namespace temblor::render

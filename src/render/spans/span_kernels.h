@@ -47,23 +47,31 @@ struct CoordinateRun {
   float* out_t;
 };
 
-// The sky's texel coordinates for the ray forward + i * step, i = 0..count-1 (world space).
-struct SkyRun {
-  float forward[3], step[3];
-  float scale;  // texels of the layer at the horizon
-  std::int32_t count;
-  float* out_s;
-  float* out_t;
+// Spans of sky. The ray of pixel (x, y) is forward + x * right + y * down (world space); its direction, with
+// z stretched threefold, is scaled to texels of two layers that repeat: clouds, and behind texels that are 0,
+// the background. Layer sizes are powers of two, at most 2^15.
+struct SkyRuns {
+  KernelPlane depth;
+  double forward[3], right[3], down[3];
+  float scale;                               // texels
+  float clouds_s, clouds_t, back_s, back_t;  // how far each has scrolled, from 0 to its size
+  const void* clouds;                        // texels as drawn: bytes or 32-bit colours
+  const void* back;
+  std::int32_t width, height, texels_a_row;  // of either layer
+  const KernelRun* runs;
+  std::size_t run_count;
 };
 
 void draw_surface_runs_u8_plain(const SurfaceRuns& runs, const KernelTarget& target);
 void draw_surface_runs_u32_plain(const SurfaceRuns& runs, const KernelTarget& target);
 void find_coordinates_plain(const CoordinateRun& run);
-void find_sky_coordinates_plain(const SkyRun& run);
+void draw_sky_runs_u8_plain(const SkyRuns& runs, const KernelTarget& target);
+void draw_sky_runs_u32_plain(const SkyRuns& runs, const KernelTarget& target);
 
 void draw_surface_runs_u8_vector(const SurfaceRuns& runs, const KernelTarget& target);
 void draw_surface_runs_u32_vector(const SurfaceRuns& runs, const KernelTarget& target);
 void find_coordinates_vector(const CoordinateRun& run);
-void find_sky_coordinates_vector(const SkyRun& run);
+void draw_sky_runs_u8_vector(const SkyRuns& runs, const KernelTarget& target);
+void draw_sky_runs_u32_vector(const SkyRuns& runs, const KernelTarget& target);
 
 }  // namespace temblor::render

@@ -88,6 +88,42 @@ void draw_surface_runs(const SurfaceRuns& runs, const KernelTarget& target) {
   for (std::size_t i = 0; i < runs.run_count; ++i) drawer.draw(runs.runs[i]);
 }
 
+std::int32_t wrapped(float texel, std::int32_t size) {
+  return static_cast<std::int32_t>(std::floor(texel)) & (size - 1);
+}
+
+template <typename Texel>
+void draw_sky_run(const SkyRuns& sky, const KernelRun& run, const KernelTarget& target) {
+  const std::size_t first = run.y * target.width + run.x;
+  const float depth = at(sky.depth, run), depth_step = static_cast<float>(sky.depth.dx);
+  float ray[3], step[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    ray[axis] = static_cast<float>(sky.forward[axis] + sky.right[axis] * run.x + sky.down[axis] * run.y);
+    step[axis] = static_cast<float>(sky.right[axis]);
+  }
+  const auto texel = [&](const void* layer, float s, float t) {
+    return static_cast<const Texel*>(
+        layer)[wrapped(t, sky.height) * sky.texels_a_row + wrapped(s, sky.width)];
+  };
+  for (int i = 0; i < run.count; ++i) {
+    const float lane = static_cast<float>(i);
+    if (target.depth != nullptr)
+      target.depth[first + static_cast<std::size_t>(i)] = depth + lane * depth_step;
+    const float x = ray[0] + lane * step[0], y = ray[1] + lane * step[1];
+    const float z = (ray[2] + lane * step[2]) * 3.0f;
+    const float stretch = sky.scale / std::sqrt(x * x + y * y + z * z);
+    const float s = x * stretch, t = y * stretch;
+    Texel shown = texel(sky.clouds, s + sky.clouds_s, t + sky.clouds_t);
+    if (shown == 0) shown = texel(sky.back, s + sky.back_s, t + sky.back_t);
+    static_cast<Texel*>(target.pixels)[first + static_cast<std::size_t>(i)] = shown;
+  }
+}
+
+template <typename Texel>
+void draw_sky_runs(const SkyRuns& runs, const KernelTarget& target) {
+  for (std::size_t i = 0; i < runs.run_count; ++i) draw_sky_run<Texel>(runs, runs.runs[i], target);
+}
+
 }  // namespace
 
 void draw_surface_runs_u8_plain(const SurfaceRuns& runs, const KernelTarget& target) {
@@ -108,16 +144,11 @@ void find_coordinates_plain(const CoordinateRun& run) {
   }
 }
 
-void find_sky_coordinates_plain(const SkyRun& run) {
-  for (std::int32_t i = 0; i < run.count; ++i) {
-    const float lane = static_cast<float>(i);
-    const float x = run.forward[0] + lane * run.step[0];
-    const float y = run.forward[1] + lane * run.step[1];
-    const float z = (run.forward[2] + lane * run.step[2]) * 3.0f;
-    const float stretch = run.scale / std::sqrt(x * x + y * y + z * z);
-    run.out_s[i] = x * stretch;
-    run.out_t[i] = y * stretch;
-  }
+void draw_sky_runs_u8_plain(const SkyRuns& runs, const KernelTarget& target) {
+  draw_sky_runs<std::uint8_t>(runs, target);
+}
+void draw_sky_runs_u32_plain(const SkyRuns& runs, const KernelTarget& target) {
+  draw_sky_runs<std::uint32_t>(runs, target);
 }
 
 }  // namespace temblor::render

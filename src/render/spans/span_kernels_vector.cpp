@@ -22,8 +22,11 @@ void DrawSurfaceRunsU32(const SurfaceRuns& runs, const KernelTarget& target) {
 void FindCoordinates(const CoordinateRun& run) {
   find_coordinates_plain(run);
 }
-void FindSkyCoordinates(const SkyRun& run) {
-  find_sky_coordinates_plain(run);
+void DrawSkyRunsU8(const SkyRuns& runs, const KernelTarget& target) {
+  draw_sky_runs_u8_plain(runs, target);
+}
+void DrawSkyRunsU32(const SkyRuns& runs, const KernelTarget& target) {
+  draw_sky_runs_u32_plain(runs, target);
 }
 
 #else
@@ -32,6 +35,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using DF = hn::CappedTag<float, 16>;
 using DI = hn::Rebind<int32_t, DF>;
+using DU = hn::RebindToUnsigned<DI>;
+using D8 = hn::Rebind<uint8_t, DU>;
 using VF = hn::Vec<DF>;
 using VI = hn::Vec<DI>;
 
@@ -44,48 +49,119 @@ HWY_INLINE float At(const KernelPlane& plane, const KernelRun& run) {
 }
 
 // The first `count` lanes only.
-HWY_INLINE void StoreFirst(DF d, VF v, float* out, int count) {
+template <class D>
+HWY_INLINE void StoreFirst(D d, hn::Vec<D> v, hn::TFromD<D>* out, int count) {
 #if HWY_TARGET <= HWY_AVX3
   hn::BlendedStore(v, hn::FirstN(d, static_cast<size_t>(count)), d, out);
 #else
-  HWY_ALIGN float lanes[kMostLanes];
+  HWY_ALIGN hn::TFromD<D> lanes[kMostLanes];
   hn::Store(v, d, lanes);
   for (int i = 0; i < count; ++i) out[i] = lanes[i];
 #endif
 }
 
-// Texel numbers of up to a vector of pixels.
+// Column and row of each pixel's texel.
+struct TexelLanes {
+  VI column, row;
+};
+
 struct Sampler {
   VF last_s, last_t;
-  VI texels_a_row;
+  int texels_a_row, last_row;
 
-  HWY_INLINE VI Texels(VF s, VF t) const {
+  HWY_INLINE TexelLanes At(VF s, VF t) const {
     const DF d;
     const DI di;
     const VF zero = hn::Zero(d);
-    const VI column = hn::ConvertTo(di, hn::Min(hn::Max(s, zero), last_s));
-    const VI row = hn::ConvertTo(di, hn::Min(hn::Max(t, zero), last_t));
-    return hn::Add(hn::Mul(row, texels_a_row), column);
+    return {hn::ConvertTo(di, hn::Min(hn::Max(s, zero), last_s)),
+            hn::ConvertTo(di, hn::Min(hn::Max(t, zero), last_t))};
   }
 };
 
-template <typename Texel, int kLanes>
-HWY_INLINE void FetchAll(const Texel* HWY_RESTRICT texels, const int32_t* HWY_RESTRICT positions,
-                         Texel* HWY_RESTRICT out) {
-  for (int i = 0; i < kLanes; ++i) out[i] = texels[positions[i]];
+// Which way a run walks through the texture.
+struct Direction {
+  bool left, up;
+};
+
+HWY_INLINE hn::Vec<DU> LoadTexels(const uint32_t* texels) {
+  return hn::LoadU(DU(), texels);
+}
+HWY_INLINE hn::Vec<DU> LoadTexels(const uint8_t* texels) {
+  return hn::PromoteTo(DU(), hn::LoadU(D8(), texels));
+}
+HWY_INLINE void StoreTexels(hn::Vec<DU> texels, uint32_t* out, int count) {
+  if (count == static_cast<int>(hn::Lanes(DU())))
+    hn::StoreU(texels, DU(), out);
+  else
+    StoreFirst(DU(), texels, out, count);
+}
+HWY_INLINE void StoreTexels(hn::Vec<DU> texels, uint8_t* out, int count) {
+  const auto bytes = hn::TruncateTo(D8(), texels);
+  if (count == static_cast<int>(hn::Lanes(DU())))
+    hn::StoreU(bytes, D8(), out);
+  else
+    StoreFirst(D8(), bytes, out, count);
 }
 
-template <typename Texel>
-HWY_INLINE void Fetch(const Texel* HWY_RESTRICT texels, VI positions, Texel* HWY_RESTRICT out, int count) {
+// Seen from near, a vector of pixels shows a few neighbouring texels: whole pieces of rows are loaded, and
+// the pixels picked out of registers. False when the texels do not fit `kRows` rows of a vector's width.
+template <int kRows, typename Texel>
+HWY_INLINE bool FetchWindow(const Texel* HWY_RESTRICT texels, const Sampler& sampler, Direction direction,
+                            const TexelLanes& at, Texel* HWY_RESTRICT out, int count) {
   const DI di;
-  constexpr int kLanes = static_cast<int>(hn::MaxLanes(DI()));
-  HWY_ALIGN int32_t numbers[kMostLanes];
-  hn::Store(positions, di, numbers);
+  const DU du;
+  const int lanes = static_cast<int>(hn::Lanes(di));
+  int first_column = hn::GetLane(at.column), first_row = hn::GetLane(at.row);
+  if (direction.left) first_column = first_column < lanes ? 0 : first_column - lanes + 1;
+  if (direction.up) first_row = first_row < kRows ? 0 : first_row - kRows + 1;
+  const auto column = hn::BitCast(du, hn::Sub(at.column, hn::Set(di, first_column)));
+  const auto row = hn::BitCast(du, hn::Sub(at.row, hn::Set(di, first_row)));
+  auto fits = hn::And(hn::Lt(column, hn::Set(du, static_cast<uint32_t>(lanes))),
+                      hn::Lt(row, hn::Set(du, static_cast<uint32_t>(kRows))));
+  if (count < lanes) fits = hn::Or(fits, hn::Not(hn::FirstN(du, static_cast<size_t>(count))));
+  if (!hn::AllTrue(du, fits)) return false;
+  const auto pick = hn::IndicesFromVec(du, hn::And(column, hn::Set(du, static_cast<uint32_t>(lanes - 1))));
+  const Texel* piece = texels + first_row * sampler.texels_a_row + first_column;
+  auto colours = hn::TableLookupLanes(LoadTexels(piece), pick);
+  for (int r = 1; r < kRows; ++r) {
+    if (first_row + r <= sampler.last_row) piece += sampler.texels_a_row;
+    const auto here = hn::Eq(row, hn::Set(du, static_cast<uint32_t>(r)));
+    colours = hn::IfThenElse(here, hn::TableLookupLanes(LoadTexels(piece), pick), colours);
+  }
+  StoreTexels(colours, out, count);
+  return true;
+}
+
+// Texels one by one, their numbers two to a load.
+template <typename Texel>
+HWY_INLINE void FetchScattered(const Texel* HWY_RESTRICT texels, const Sampler& sampler, const TexelLanes& at,
+                               Texel* HWY_RESTRICT out, int count) {
+  const DI di;
+  const DU du;
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(DU()));
+  HWY_ALIGN uint32_t numbers[kMostLanes];
+  hn::Store(hn::BitCast(du, hn::Add(hn::Mul(at.row, hn::Set(di, sampler.texels_a_row)), at.column)), du,
+            numbers);
   if (count == kLanes) {
-    FetchAll<Texel, kLanes>(texels, numbers, out);
+    HWY_FENCE;  // or the compiler takes the numbers out of the vector lane by lane, which is slower
+    for (int i = 0; i < kLanes; i += 2) {
+      uint64_t two;
+      __builtin_memcpy(&two, numbers + i, sizeof(two));
+      out[i] = texels[two & 0xffffffffu];
+      out[i + 1] = texels[two >> 32];
+      HWY_FENCE;
+    }
     return;
   }
   for (int i = 0; i < count; ++i) out[i] = texels[numbers[i]];
+}
+
+template <typename Texel>
+HWY_INLINE void Fetch(const Texel* HWY_RESTRICT texels, const Sampler& sampler, Direction direction,
+                      const TexelLanes& at, Texel* HWY_RESTRICT out, int count) {
+  if (FetchWindow<2>(texels, sampler, direction, at, out, count)) return;
+  if (FetchWindow<4>(texels, sampler, direction, at, out, count)) return;
+  FetchScattered(texels, sampler, at, out, count);
 }
 
 struct Line {
@@ -105,6 +181,9 @@ template <typename Texel>
 HWY_INLINE void DrawEveryPixel(const RunLines& lines, const Sampler& sampler, const Texel* texels, int count,
                                Texel* out, float* out_depth) {
   const DF d;
+  // The sign of the derivative of s / depth, which does not change along a run.
+  const Direction direction{lines.s.step * lines.depth.base < lines.s.base * lines.depth.step,
+                            lines.t.step * lines.depth.base < lines.t.base * lines.depth.step};
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int i = 0; i < count; i += lanes) {
     const int now = count - i < lanes ? count - i : lanes;
@@ -116,8 +195,8 @@ HWY_INLINE void DrawEveryPixel(const RunLines& lines, const Sampler& sampler, co
         StoreFirst(d, depth, out_depth + i, now);
     }
     const VF z = hn::Div(hn::Set(d, 1.0f), hn::Max(depth, hn::Set(d, kFarthest)));
-    const VI positions = sampler.Texels(hn::Mul(lines.s.Lanes(i), z), hn::Mul(lines.t.Lanes(i), z));
-    Fetch(texels, positions, out + i, now);
+    const TexelLanes at = sampler.At(hn::Mul(lines.s.Lanes(i), z), hn::Mul(lines.t.Lanes(i), z));
+    Fetch(texels, sampler, direction, at, out + i, now);
   }
 }
 
@@ -136,7 +215,7 @@ HWY_INLINE void DrawAffine(const Line& s, const Line& t, const Sampler& sampler,
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int i = 0; i < count; i += lanes) {
     const int now = count - i < lanes ? count - i : lanes;
-    Fetch(texels, sampler.Texels(s.Lanes(i), t.Lanes(i)), out + i, now);
+    Fetch(texels, sampler, {s.step < 0, t.step < 0}, sampler.At(s.Lanes(i), t.Lanes(i)), out + i, now);
   }
 }
 
@@ -165,9 +244,8 @@ HWY_INLINE void DrawEvery16(const RunLines& lines, const Sampler& sampler, const
 template <typename Texel>
 HWY_INLINE void DrawSurfaceRuns(const SurfaceRuns& runs, const KernelTarget& target) {
   const DF d;
-  const DI di;
   const Sampler sampler{hn::Set(d, static_cast<float>(runs.last_s)),
-                        hn::Set(d, static_cast<float>(runs.last_t)), hn::Set(di, runs.texels_a_row)};
+                        hn::Set(d, static_cast<float>(runs.last_t)), runs.texels_a_row, runs.last_t};
   const Texel* texels = static_cast<const Texel*>(runs.texels);
   RunLines lines;
   lines.depth.step = static_cast<float>(runs.depth.dx);
@@ -215,20 +293,78 @@ void FindCoordinates(const CoordinateRun& run) {
   }
 }
 
-void FindSkyCoordinates(const SkyRun& run) {
+// Down to the next whole number, without Highway's care for numbers beyond 32 bits.
+HWY_INLINE VI FloorToInt(VF v) {
   const DF d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const Line x_line{run.forward[0], run.step[0]}, y_line{run.forward[1], run.step[1]};
-  const Line z_line{run.forward[2], run.step[2]};
-  for (int i = 0; i < run.count; i += lanes) {
-    const int now = run.count - i < lanes ? run.count - i : lanes;
-    const VF x = x_line.Lanes(i), y = y_line.Lanes(i);
-    const VF z = hn::Mul(z_line.Lanes(i), hn::Set(d, 3.0f));
-    const VF square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
-    const VF stretch = hn::Div(hn::Set(d, run.scale), hn::Sqrt(square));
-    StoreFirst(d, hn::Mul(x, stretch), run.out_s + i, now);
-    StoreFirst(d, hn::Mul(y, stretch), run.out_t + i, now);
+  const DI di;
+  const VI whole = hn::ConvertTo(di, v);
+  const auto above = hn::RebindMask(di, hn::Gt(hn::ConvertTo(d, whole), v));
+  return hn::Add(whole, hn::VecFromMask(di, above));
+}
+
+template <typename Texel>
+class SkyLayer {
+ public:
+  HWY_INLINE SkyLayer(const void* texels, float s, float t, const SkyRuns& sky)
+      : texels_(static_cast<const Texel*>(texels)), s_(s), t_(t), width_(sky.width), height_(sky.height) {}
+
+  HWY_INLINE void Fetch(const Sampler& sampler, VF s, VF t, Texel* out) const {
+    const DF d;
+    const DI di;
+    const TexelLanes at{hn::And(FloorToInt(hn::Add(s, hn::Set(d, s_))), hn::Set(di, width_ - 1)),
+                        hn::And(FloorToInt(hn::Add(t, hn::Set(d, t_))), hn::Set(di, height_ - 1))};
+    const int last = static_cast<int>(hn::Lanes(di)) - 1;
+    const auto lane = [](VI v, int i) { return hn::ExtractLane(v, static_cast<size_t>(i)); };
+    const Direction direction{lane(at.column, last) < lane(at.column, 0),
+                              lane(at.row, last) < lane(at.row, 0)};
+    if (!FetchWindow<2>(texels_, sampler, direction, at, out, last + 1))
+      FetchScattered(texels_, sampler, at, out, last + 1);
   }
+
+ private:
+  const Texel* texels_;
+  float s_, t_;
+  int width_, height_;
+};
+
+template <typename Texel>
+HWY_INLINE void DrawSkyRuns(const SkyRuns& sky, const KernelTarget& target) {
+  const DF d;
+  const DU du;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const Sampler sampler{hn::Zero(d), hn::Zero(d), sky.texels_a_row, sky.height - 1};
+  const SkyLayer<Texel> clouds(sky.clouds, sky.clouds_s, sky.clouds_t, sky);
+  const SkyLayer<Texel> back(sky.back, sky.back_s, sky.back_t, sky);
+  HWY_ALIGN Texel cloud_texels[kMostLanes], back_texels[kMostLanes];
+  for (size_t r = 0; r < sky.run_count; ++r) {
+    const KernelRun& run = sky.runs[r];
+    const size_t first = run.y * target.width + run.x;
+    Texel* out = static_cast<Texel*>(target.pixels) + first;
+    Line ray[3];
+    for (int axis = 0; axis < 3; ++axis)
+      ray[axis] = {static_cast<float>(sky.forward[axis] + sky.right[axis] * run.x + sky.down[axis] * run.y),
+                   static_cast<float>(sky.right[axis])};
+    if (target.depth != nullptr)
+      FillDepth({At(sky.depth, run), static_cast<float>(sky.depth.dx)}, run.count, target.depth + first);
+    for (int i = 0; i < run.count; i += lanes) {
+      const VF x = ray[0].Lanes(i), y = ray[1].Lanes(i), z = hn::Mul(ray[2].Lanes(i), hn::Set(d, 3.0f));
+      const VF square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
+      const VF stretch = hn::Div(hn::Set(d, sky.scale), hn::Sqrt(square));
+      const VF s = hn::Mul(x, stretch), t = hn::Mul(y, stretch);
+      clouds.Fetch(sampler, s, t, cloud_texels);
+      back.Fetch(sampler, s, t, back_texels);
+      const auto cloud = LoadTexels(cloud_texels);
+      const auto shown = hn::IfThenElse(hn::Eq(cloud, hn::Zero(du)), LoadTexels(back_texels), cloud);
+      StoreTexels(shown, out + i, run.count - i < lanes ? run.count - i : lanes);
+    }
+  }
+}
+
+void DrawSkyRunsU8(const SkyRuns& runs, const KernelTarget& target) {
+  DrawSkyRuns<uint8_t>(runs, target);
+}
+void DrawSkyRunsU32(const SkyRuns& runs, const KernelTarget& target) {
+  DrawSkyRuns<uint32_t>(runs, target);
 }
 
 #endif
@@ -242,7 +378,8 @@ namespace temblor::render {
 HWY_EXPORT(DrawSurfaceRunsU8);
 HWY_EXPORT(DrawSurfaceRunsU32);
 HWY_EXPORT(FindCoordinates);
-HWY_EXPORT(FindSkyCoordinates);
+HWY_EXPORT(DrawSkyRunsU8);
+HWY_EXPORT(DrawSkyRunsU32);
 
 void draw_surface_runs_u8_vector(const SurfaceRuns& runs, const KernelTarget& target) {
   HWY_DYNAMIC_DISPATCH(DrawSurfaceRunsU8)(runs, target);
@@ -253,8 +390,11 @@ void draw_surface_runs_u32_vector(const SurfaceRuns& runs, const KernelTarget& t
 void find_coordinates_vector(const CoordinateRun& run) {
   HWY_DYNAMIC_DISPATCH(FindCoordinates)(run);
 }
-void find_sky_coordinates_vector(const SkyRun& run) {
-  HWY_DYNAMIC_DISPATCH(FindSkyCoordinates)(run);
+void draw_sky_runs_u8_vector(const SkyRuns& runs, const KernelTarget& target) {
+  HWY_DYNAMIC_DISPATCH(DrawSkyRunsU8)(runs, target);
+}
+void draw_sky_runs_u32_vector(const SkyRuns& runs, const KernelTarget& target) {
+  HWY_DYNAMIC_DISPATCH(DrawSkyRunsU32)(runs, target);
 }
 
 }  // namespace temblor::render

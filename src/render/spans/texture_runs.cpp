@@ -9,9 +9,8 @@ namespace temblor::render {
 
 namespace {
 
-// The original's liquids and sky.
+// The original's liquids.
 constexpr double kTurbulenceAmplitude_texels = 8, kTurbulencePhases_s = 20;
-constexpr double kBackScroll_texels_s = 8, kCloudScroll_texels_s = 16, kSkyScale = 378.0 / 128;
 
 struct Coordinates {
   std::span<const float> s, t;
@@ -63,29 +62,6 @@ Coordinates find_run_coordinates(const TextureRunFrame& frame, const DrawItem& i
   return {s, t};
 }
 
-Coordinates find_sky_run_coordinates(const TextureRunFrame& frame, const SpanRun& run, float layer_width,
-                                     base::Arena& scratch) {
-  const std::span<float> s = scratch.allocate<float>(run.count), t = scratch.allocate<float>(run.count);
-  const ViewFrame& view = frame.view;
-  math::Vec3d ray = view.axes.forward, step{0.0};
-  if (view.perspective) {
-    ray = view.axes.forward * view.pixels_per_unit + view.axes.right * (run.x - view.centre_x) -
-          view.axes.up * (run.y - view.centre_y);
-    step = view.axes.right;
-  }
-  SkyRun job{};
-  for (int axis = 0; axis < 3; ++axis) {
-    job.forward[axis] = static_cast<float>(ray[axis]);
-    job.step[axis] = static_cast<float>(step[axis]);
-  }
-  job.scale = static_cast<float>(kSkyScale) * layer_width;
-  job.count = run.count;
-  job.out_s = s.data();
-  job.out_t = t.data();
-  frame.vector_kernels ? find_sky_coordinates_vector(job) : find_sky_coordinates_plain(job);
-  return {s, t};
-}
-
 // Writes a run's palette indices.
 void sample_texture(const DrawItem& item, const Coordinates& at, std::span<std::uint8_t> out) {
   const auto mip = item.mip;
@@ -105,28 +81,6 @@ void sample_liquid(const TextureRunFrame& frame, const DrawItem& item, const Coo
     const float s = at.s[i] + frame.turbulence[static_cast<std::size_t>(wrap_table(at.t[i]))];
     const float t = at.t[i] + frame.turbulence[static_cast<std::size_t>(wrap_table(at.s[i]))];
     out[i] = texels[wrap_t(t) * width + wrap_s(s)];
-  }
-}
-
-// Clouds on the texture's left half, index 0 clear; behind them its right half.
-void sample_sky(const TextureRunFrame& frame, const DrawItem& item, const Coordinates& at,
-                std::span<std::uint8_t> out) {
-  const std::int32_t width = static_cast<std::int32_t>(item.texture->width);
-  const std::int32_t layer = std::max(1, width / 2), right_half = width - layer;
-  const std::int32_t height = static_cast<std::int32_t>(item.texture->height);
-  const Wrap wrap_s(layer), wrap_t(height);
-  const std::uint8_t* texels = item.texture->mips[0].data();
-  const double texels_of_ours = layer / 128.0;  // speeds are for layers of 128 texels
-  const auto scrolled = [&](double texels_s, std::int32_t size) {
-    return static_cast<float>(std::fmod(frame.time_s * texels_s * texels_of_ours, size));
-  };
-  const float cloud_s = scrolled(kCloudScroll_texels_s, layer),
-              cloud_t = scrolled(kCloudScroll_texels_s, height);
-  const float back_s = scrolled(kBackScroll_texels_s, layer), back_t = scrolled(kBackScroll_texels_s, height);
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    std::uint8_t texel = texels[wrap_t(at.t[i] + cloud_t) * width + wrap_s(at.s[i] + cloud_s)];
-    if (texel == 0) texel = texels[wrap_t(at.t[i] + back_t) * width + right_half + wrap_s(at.s[i] + back_s)];
-    out[i] = texel;
   }
 }
 
@@ -153,11 +107,7 @@ void draw_texture_runs(const TextureRunFrame& frame, const DrawItem& item, std::
     float* depth = frame.fill_depth ? io_frame.depth().data() + first : nullptr;
     const std::span<std::uint8_t> indices = scratch.allocate<std::uint8_t>(run.count);
     const Coordinates at = find_run_coordinates(frame, item, run, depth, scratch);
-    if (item.kind == ItemKind::kSky)
-      sample_sky(frame, item,
-                 find_sky_run_coordinates(frame, run, static_cast<float>(item.texture->width) / 2, scratch),
-                 indices);
-    else if (item.kind == ItemKind::kLiquid)
+    if (item.kind == ItemKind::kLiquid)
       sample_liquid(frame, item, at, indices);
     else
       sample_texture(item, at, indices);

@@ -1,4 +1,4 @@
-// Spans that are drawn from a texture itself, not from a lit surface: faces without light, liquids, sky.
+// Spans that are drawn from a texture itself, not from a lit surface: faces without light, liquids.
 // One texel at a time; only their coordinates come from a kernel.
 #pragma once
 
