@@ -6,17 +6,21 @@
 #include <string>
 
 namespace temblor::app {
+namespace {
 
-std::string printable(std::string_view text) {
+// Paths may be in any encoding, so only control characters are replaced.
+std::string on_one_line(std::string_view text) {
   std::string line(text);
   for (char& c : line)
     if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
   return line;
 }
 
+}  // namespace
+
 void print_error(const base::Error& error) {
   const bool is_usage = error.code == base::ErrorCode::kUsage;
-  fmt::print(stderr, "temblor: {}{}\n", printable(error.message()),
+  fmt::print(stderr, "temblor: {}{}\n", on_one_line(error.message()),
              is_usage ? " (temblor --help says more)" : "");
 }
 
@@ -25,7 +29,7 @@ int exit_status(const base::Error& error) {
 }
 
 void print_note(std::string_view text) {
-  fmt::print(stderr, "temblor: note: {}\n", printable(text));
+  fmt::print(stderr, "temblor: note: {}\n", on_one_line(text));
 }
 
 }  // namespace temblor::app

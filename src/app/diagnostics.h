@@ -1,7 +1,6 @@
 // What the program says when something is wrong: one line on standard error, and an exit status.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "base/result.h"
@@ -12,10 +11,7 @@ constexpr int kExitSuccess = 0;
 constexpr int kExitFailure = 1;  // a file, a folder or the machine
 constexpr int kExitUsage = 2;    // the command line
 
-// The text with its control characters as '?': names from inside a broken file keep to their line.
-std::string printable(std::string_view text);
-
-// "temblor: FILE: WHAT", on one line.
+// "temblor: FILE: WHAT". Always one line: control characters (of a file's name, say) become '?'.
 // A wrong command line (kUsage) also gets a hint at --help.
 void print_error(const base::Error& error);
 int exit_status(const base::Error& error);

@@ -54,9 +54,11 @@ Inspection list_styles(const formats::Bsp& bsp) {
 // What is allowed, but not as a level should be.
 Inspection find_problems(const formats::Bsp& bsp, const world::Level& level) {
   Inspection problems = Inspection::array();
-  for (const world::Texture& texture : level.textures)
-    if (texture.missing)
-      problems.push_back(fmt::format("texture \"{}\" is not in the level: drawn as a checker", texture.name));
+  std::set<std::string> missing;
+  for (const world::Face& face : level.faces)
+    if (level.texture(face.texture).missing) missing.insert(level.texture(face.texture).name);
+  for (const std::string& name : missing)
+    problems.push_back(fmt::format("texture \"{}\" is not in the level: drawn as a checker", name));
   if (bsp.visibility.empty()) problems.push_back("no PVS: everything counts as visible from everywhere");
   if (bsp.lighting.empty()) problems.push_back("no light: everything is drawn full-bright");
   bool has_start = false;

@@ -9,7 +9,6 @@
 #include <optional>
 #include <string_view>
 
-#include "app/diagnostics.h"
 #include "base/text.h"
 #include "vfs/file_system.h"
 
@@ -120,7 +119,7 @@ base::Result<Inspection> inspect_content(const std::filesystem::path& path, Insp
 }
 
 std::string text_of(const Inspection& value) {
-  return printable(value.is_string() ? value.get<std::string>() : value.dump());
+  return base::printable(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
 // "name: x  bytes: 12", or the value itself when it is no object.
@@ -150,7 +149,7 @@ std::string describe_inspection(const Inspection& inspection) {
     if (value.is_object()) {
       text += key + ":\n";
       for (const auto& [name, part] : value.items())
-        text += fmt::format("  {}: {}\n", printable(name), text_of(part));
+        text += fmt::format("  {}: {}\n", base::printable(name), text_of(part));
     } else if (is_list) {
       text += key + ":\n";
       for (const Inspection& entry : value) text += fmt::format("  {}\n", one_line(entry));

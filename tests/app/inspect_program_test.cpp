@@ -1,0 +1,161 @@
+// `temblor inspect`: every format, held against what was written.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "app/small_game.h"
+#include "formats/entities.h"
+#include "formats/lit.h"
+#include "formats/pak.h"
+#include "formats/picture.h"
+#include "formats/pk3.h"
+#include "formats/wad.h"
+#include "support/game_data.h"
+
+namespace temblor::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class InspectProgram : public ::testing::Test {
+ protected:
+  json inspect(const std::string& name, base::Bytes bytes) {
+    folder_.write(name, bytes);
+    const ProgramRun run = run_program(folder_.path(), {"inspect", "--json", name});
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    EXPECT_THAT(run.err, IsEmpty());
+    json object = json::parse(run.out);
+    EXPECT_EQ(object.at("file"), name);
+    EXPECT_TRUE(object.at("problems").is_array());
+    return object;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(InspectProgram, LevelsOfAllVersions) {
+  const SmallGame game;
+  const formats::Bsp& level = game.level();
+  for (const auto version :
+       {formats::BspVersion::k29, formats::BspVersion::k2Psb, formats::BspVersion::kBsp2}) {
+    const json object = inspect("x.bsp", game.level_bytes(version));
+    EXPECT_EQ(object.at("format"), "level");
+    EXPECT_EQ(object.at("version"), formats::name_of(version));
+    EXPECT_EQ(object.at("counts").at("faces"), level.faces.size());
+    EXPECT_EQ(object.at("counts").at("leafs"), level.leafs.size());
+    EXPECT_EQ(object.at("counts").at("light samples"), level.lighting.size());
+    EXPECT_EQ(object.at("entities").at("info_player_start"), 1);
+    EXPECT_EQ(object.at("coloured light"), true);
+    EXPECT_EQ(object.at("BSPX lumps").at(0).at("name"), "RGBLIGHTING");
+    EXPECT_TRUE(object.at("problems").empty()) << object.at("problems");
+  }
+}
+
+TEST_F(InspectProgram, ProblemsOfALevelThatCanBeDrawn) {
+  const SmallGame game({.pvs = false, .light = false, .missing_texture = true});
+  const json object = inspect("x.bsp", game.level_bytes(formats::BspVersion::k29));
+  const std::string problems = object.at("problems").dump();
+  EXPECT_THAT(problems, HasSubstr("no PVS"));
+  EXPECT_THAT(problems, HasSubstr("no light"));
+  EXPECT_THAT(problems, HasSubstr("checker"));
+}
+
+TEST_F(InspectProgram, ContentSaysMoreThanTheName) {
+  const SmallGame game;
+  EXPECT_EQ(inspect("level.wad", game.level_bytes(formats::BspVersion::k29)).at("format"), "level");
+}
+
+TEST_F(InspectProgram, LightAndEntities) {
+  const formats::Lit lit{std::vector<std::uint8_t>(3 * 77)};
+  EXPECT_EQ(inspect("x.lit", formats::write_lit(lit)).at("light samples"), 77);
+  const json entities =
+      inspect("x.ent", base::as_bytes("{ \"classname\" \"light\" }\n{ }\n{\"classname\" \"light\"}"));
+  EXPECT_EQ(entities.at("count"), 3);
+  EXPECT_EQ(entities.at("classes").at("light"), 2);
+  EXPECT_THAT(entities.at("problems").dump(), HasSubstr("worldspawn"));
+}
+
+TEST_F(InspectProgram, Archives) {
+  const formats::Picture picture{2, 3, {255, 1, 2, 3, 4, 255}};
+  const base::ByteVector lump = formats::write_picture(picture);
+  const std::vector<formats::ArchiveFile> files = {{"a.txt", base::as_bytes("hello")}, {"gfx/b.lmp", lump}};
+  const json pak = inspect("x.pak", formats::write_pak(files).value());
+  EXPECT_EQ(pak.at("count"), 2);
+  EXPECT_EQ(pak.at("files").at(0), (json{{"name", "a.txt"}, {"bytes", 5}}));
+  EXPECT_EQ(pak.at("files").at(1).at("name"), "gfx/b.lmp");
+  const json pk3 = inspect("x.pk3", formats::write_pk3(files).value());
+  EXPECT_EQ(pk3.at("format"), "PK3");
+  EXPECT_EQ(pk3.at("files"), pak.at("files"));
+
+  const std::vector<formats::WadLump> lumps = {{"PIC", formats::kWadPicture, lump},
+                                               {"BAD", formats::kWadTexture, base::as_bytes("no texture")}};
+  const json wad = inspect("x.wad", formats::write_wad(lumps).value());
+  EXPECT_EQ(wad.at("count"), 2);
+  EXPECT_EQ(wad.at("lumps").at(0).at("bytes"), lump.size());
+  EXPECT_THAT(wad.at("problems").dump(), HasSubstr("BAD"));
+}
+
+TEST_F(InspectProgram, PicturesPalettesAndColormaps) {
+  const json picture = inspect("x.lmp", formats::write_picture({2, 3, {255, 1, 2, 3, 4, 255}}));
+  EXPECT_EQ(picture.at("width"), 2);
+  EXPECT_EQ(picture.at("height"), 3);
+  EXPECT_EQ(picture.at("transparent pixels"), 2);
+  // A picture 29 pixels wide starts with the bytes of a level of version 29.
+  EXPECT_EQ(inspect("wide.lmp", formats::write_picture({29, 1, std::vector<std::uint8_t>(29)})).at("format"),
+            "picture");
+
+  formats::Palette palette{};
+  palette[3] = {0x12, 0xab, 0xff};
+  const json colours = inspect("palette.lmp", formats::write_palette(palette));
+  EXPECT_EQ(colours.at("colours").size(), 256u);
+  EXPECT_EQ(colours.at("colours").at(3), "12abff");
+
+  formats::Colormap colormap;
+  for (std::size_t i = 0; i < colormap.rows.size(); ++i) colormap.rows[i] = static_cast<std::uint8_t>(i);
+  EXPECT_TRUE(inspect("colormap.lmp", formats::write_colormap(colormap)).at("problems").empty());
+  colormap.rows[31 * 256 + 7] = 8;    // normal light
+  colormap.rows[63 * 256 + 255] = 0;  // a full-bright colour
+  EXPECT_EQ(inspect("colormap.lmp", formats::write_colormap(colormap)).at("problems").size(), 2u);
+}
+
+TEST_F(InspectProgram, TextHasTheSameFacts) {
+  const SmallGame game;
+  const ProgramRun run = run_program(game.path(), {"inspect", "id1/maps/small.bsp"});
+  EXPECT_EQ(run.exit_status, 0);
+  EXPECT_THAT(run.out, HasSubstr("version: 29\n"));
+  EXPECT_THAT(run.out, HasSubstr(fmt::format("  faces: {}\n", game.level().faces.size())));
+  EXPECT_THAT(run.out, HasSubstr("  info_player_start: 1\n"));
+  EXPECT_THAT(run.out, HasSubstr("problems: none\n"));
+}
+
+TEST_F(InspectProgram, ARefusedFileIsAnErrorInBothForms) {
+  folder_.write("x.bsp", "BSP2 and nothing else");
+  const ProgramRun run = run_program(folder_.path(), {"inspect", "--json", "x.bsp"});
+  EXPECT_EQ(run.exit_status, 1);
+  EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
+  EXPECT_FALSE(json::parse(run.out).at("error").get<std::string>().empty());
+}
+
+TEST_F(InspectProgram, NamesInAnyEncodingGiveValidJson) {
+  const std::vector<formats::ArchiveFile> files = {{"caf\xe9.txt", {}}};
+  EXPECT_EQ(inspect("x.pak", formats::write_pak(files).value()).at("count"), 1);
+}
+
+TEST_F(InspectProgram, StockFiles) {
+  DATA_FOLDER_OR_SKIP(data);
+  const std::filesystem::path base = std::filesystem::absolute(data);
+  for (const char* name : {"id1/maps/start.bsp", "id1/maps/start.lit", "id1/gfx.wad", "id1/gfx/palette.lmp",
+                           "id1/gfx/colormap.lmp", "id1/gfx/conback.lmp"}) {
+    const ProgramRun run = run_program(base, {"inspect", "--json", name});
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    EXPECT_EQ(json::parse(run.out).at("file"), name);
+  }
+}
+
+}  // namespace
+}  // namespace temblor::test

@@ -1,0 +1,238 @@
+// The parts of the program that are more than plumbing, each by itself.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "app/allocation_counter.h"
+#include "app/distribution.h"
+#include "app/floor_loop.h"
+#include "app/level_scene.h"
+#include "app/options.h"
+#include "app/picture_file.h"
+#include "app/render_settings.h"
+#include "app/viewpoints.h"
+#include "artgen/small_level.h"
+#include "support/random.h"
+
+namespace temblor::app {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(ParseSize, TakesWidthAndHeight) {
+  const FrameSize size = parse_size("8192x1").value();
+  EXPECT_EQ(size.width, 8192);
+  EXPECT_EQ(size.height, 1);
+  for (const char* wrong : {"", "x", "1x", "x1", "1x0", "-1x1", "1x8193", "1x1x1", "1 x1", "1X1", "1.5x2"})
+    EXPECT_FALSE(parse_size(wrong).ok()) << wrong;
+}
+
+TEST(ParseVec3, TakesThreeNumbers) {
+  EXPECT_EQ(parse_vec3("1,-2.5,3e2").value(), math::Vec3(1.0f, -2.5f, 300.0f));
+  for (const char* wrong :
+       {"", "1", "1,2", "1,2,3,4", "1,2,", ",,", "a,b,c", "1,2,inf", "1, 2,3", "1e99,0,0"})
+    EXPECT_FALSE(parse_vec3(wrong).ok()) << wrong;
+}
+
+TEST(NumberedName, PutsTheNumberIn) {
+  EXPECT_EQ(numbered_name("x.png", 7).value(), "x.png");
+  EXPECT_EQ(numbered_name("x-%d.png", 7).value(), "x-7.png");
+  EXPECT_EQ(numbered_name("a/x-%05d.PNG", 123).value(), "a/x-00123.PNG");
+  EXPECT_EQ(numbered_name("%02d.png", 1234).value(), "1234.png");
+  for (const char* wrong :
+       {"x.jpg", "x", "%s.png", "%.png", "%d%d.png", "%-5d.png", "%99d.png", "100%.png", "%n.png"})
+    EXPECT_FALSE(numbered_name(wrong, 1).ok()) << wrong;
+}
+
+TEST(Distribution, AgreesWithCounting) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    test::Random random(seed);
+    std::vector<double> values(1 + random.below(300));
+    for (double& value : values) value = static_cast<double>(random.below(50));
+    const Distribution result = distribution_of(values);
+    const auto share_up_to = [&](double limit) {
+      return static_cast<double>(
+                 std::count_if(values.begin(), values.end(), [&](double v) { return v <= limit; })) /
+             static_cast<double>(values.size());
+    };
+    for (const auto& [percentile, share] : {std::pair(result.p50, 0.5), {result.p99, 0.99}}) {
+      EXPECT_GE(share_up_to(percentile), share) << "seed " << seed;
+      EXPECT_LT(share_up_to(percentile - 0.5), share) << "seed " << seed << ": a smaller value would do";
+    }
+    EXPECT_EQ(result.max, *std::max_element(values.begin(), values.end()));
+  }
+}
+
+TEST(Distribution, OfNothingIsZero) {
+  EXPECT_EQ(distribution_of({}).max, 0);
+  EXPECT_EQ(mean_of({}), 0);
+  EXPECT_EQ(mean_of({1, 2, 6}), 3);
+}
+
+TEST(FloorLoop, ReadsTheTexelsThatItsStepsSay) {
+  constexpr int kWidth = 500, kHeight = 20;
+  render::FrameBuffer frame(kWidth, kHeight, render::PixelFormat::kRgb);
+  fill_with_floor_loop(frame);
+  // Pixels whose texture coordinates fall on one texel have one colour, others another: the surface's texels
+  // all differ.
+  std::map<std::pair<std::int64_t, std::int64_t>, std::uint32_t> texels;
+  std::set<std::uint32_t> colours;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const std::int64_t s = std::int64_t{x} * 40000 / 65536 % 256;
+      const std::int64_t t = (y + std::int64_t{x} * 3000 / 65536) % 256;
+      const std::uint32_t colour = frame.rgb()[static_cast<std::size_t>(y * kWidth + x)];
+      const auto [known, is_new] = texels.emplace(std::pair(s, t), colour);
+      ASSERT_EQ(known->second, colour) << x << " " << y;
+      colours.insert(colour);
+    }
+  }
+  EXPECT_EQ(colours.size(), texels.size());
+}
+
+TEST(FloorLoop, FillsIndexedFramesWhole) {
+  render::FrameBuffer frame(300, 7, render::PixelFormat::kIndexed);
+  std::fill(frame.indexed().begin(), frame.indexed().end(), std::uint8_t{7});
+  fill_with_floor_loop(frame);
+  const std::vector<std::uint8_t> first(frame.indexed().begin(), frame.indexed().end());
+  std::fill(frame.indexed().begin(), frame.indexed().end(), std::uint8_t{9});
+  fill_with_floor_loop(frame);
+  EXPECT_TRUE(std::equal(first.begin(), first.end(), frame.indexed().begin()));
+}
+
+TEST(AllocationCounter, CountsEveryKindOfNew) {
+  struct alignas(128) Aligned {
+    char bytes[128];
+  };
+  const std::uint64_t before = allocation_count();
+  const auto one = std::make_unique<int>(1);
+  const auto many = std::make_unique<int[]>(100);
+  const auto aligned = std::make_unique<Aligned>();
+  EXPECT_EQ(allocation_count() - before, 3u);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(aligned.get()) % 128, 0u);
+}
+
+std::shared_ptr<const world::Level> level_with_entities(const std::string& entities) {
+  formats::Bsp bsp = artgen::make_small_level();
+  bsp.entities = entities;
+  return world::make_level(std::move(bsp), "test").value();
+}
+
+TEST(Viewpoints, ArePlacesWherePlayersAre) {
+  const auto level = level_with_entities(R"({"classname" "worldspawn"}
+    {"classname" "info_intermission" "origin" "1 2 3" "mangle" "10 20 30"}
+    {"classname" "info_player_deathmatch" "origin" "5 5 5"}
+    {"classname" "info_teleport_destination" "origin" "7 7 7" "angle" "45"}
+    {"classname" "light" "origin" "9 9 9"}
+    {"classname" "info_player_start" "origin" "4 5 6" "angle" "90"})");
+  const Viewpoint start = start_viewpoint(*level);
+  EXPECT_EQ(start.eye_world, math::Vec3(4, 5, 28));
+  EXPECT_EQ(start.angles_deg, math::Vec3(0, 90, 0));
+  const std::vector<Viewpoint> all = all_viewpoints(*level);
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[0].eye_world, math::Vec3(1, 2, 3));
+  EXPECT_EQ(all[0].angles_deg, math::Vec3(10, 20, 30));
+  EXPECT_EQ(all[1].eye_world, math::Vec3(5, 5, 27));
+  EXPECT_EQ(all[2].angles_deg, math::Vec3(0, 45, 0));
+}
+
+TEST(Viewpoints, ALevelWithoutStartsIsSeenFromItsMiddle) {
+  const auto level = level_with_entities(R"({"classname" "worldspawn"})");
+  const math::Bounds& bounds = level->world().bounds;
+  EXPECT_EQ(start_viewpoint(*level).eye_world, (bounds.mins + bounds.maxs) / 2.0f);
+  EXPECT_EQ(all_viewpoints(*level).size(), 1u);
+}
+
+TEST(LevelScene, HoldsTheBrushModelsThatTheGameShows) {
+  const LevelScene scene = make_level_scene(level_with_entities(R"({"classname" "worldspawn" "model" "*1"}
+    {"classname" "func_door" "model" "*1" "origin" "1 2 3"}
+    {"classname" "func_wall" "model" "*1"}
+    {"classname" "trigger_once" "model" "*1"}
+    {"classname" "func_episodegate" "model" "*1"}
+    {"classname" "func_wall" "model" "*0"}
+    {"classname" "func_wall" "model" "*2"}
+    {"classname" "func_wall" "model" "*1x"}
+    {"classname" "func_wall" "model" "*99999999999"}
+    {"classname" "misc_model" "model" "progs/player.mdl"})"));
+  std::vector<math::Vec3> origins;
+  for (const render::BrushModelInstance& instance : scene.brush_models) {
+    EXPECT_EQ(instance.model, world::ModelIndex{1});
+    origins.push_back(instance.origin_world);
+  }
+  EXPECT_THAT(origins, ElementsAre(math::Vec3(0.0f), math::Vec3(1, 2, 3), math::Vec3(0.0f)));
+}
+
+// Every field of render::Settings can be set by name, to the value that the name says.
+TEST(RenderSettings, EveryFieldHasAVariable) {
+  command::Variables variables;
+  const RenderSettings settings(variables);
+  render::Settings expected;
+  expected.threads = settings.read(variables).threads;  // as many as this machine has cores
+  EXPECT_GE(expected.threads, 1);
+  EXPECT_EQ(settings.read(variables), expected);
+
+  const auto set = [&](const char* assignment) {
+    const base::Status status = variables.set_assignment(assignment);
+    EXPECT_TRUE(status.ok()) << assignment;
+  };
+  set("r_threads=3");
+  expected.threads = 3;
+  EXPECT_EQ(settings.read(variables), expected);
+  set("r_job_backend=stdthread");
+  expected.job_backend = base::JobBackend::kStdThread;
+  EXPECT_EQ(settings.read(variables), expected);
+  set("r_mip_rule=stock");
+  expected.mip_rule = render::MipRule::kStock;
+  EXPECT_EQ(settings.read(variables), expected);
+  set("r_mip_force=2");
+  expected.force_mip = 2;
+  EXPECT_EQ(settings.read(variables), expected);
+  set("r_perspective=every16");
+  expected.perspective = render::Perspective::kEvery16;
+  EXPECT_EQ(settings.read(variables), expected);
+  set("r_simd=0");
+  expected.vector_kernels = false;
+  EXPECT_EQ(settings.read(variables), expected);
+  set("r_surface_cache=0");
+  expected.surface_cache = false;
+  EXPECT_EQ(settings.read(variables), expected);
+  set("r_cache_mb=0.5");
+  expected.cache_bytes = 512 * 1024;
+  EXPECT_EQ(settings.read(variables), expected);
+  set("r_occlusion_cull=0");
+  expected.occlusion_cull = false;
+  EXPECT_EQ(settings.read(variables), expected);
+  set("r_use_pvs=0");
+  expected.use_pvs = false;
+  EXPECT_EQ(settings.read(variables), expected);
+  set("r_fill_depth=0");
+  expected.fill_depth = false;
+  EXPECT_EQ(settings.read(variables), expected);
+  set("r_coloured_light=0");
+  expected.coloured_light = false;
+  EXPECT_EQ(settings.read(variables), expected);
+  set("r_band_rows=17");
+  expected.band_rows = 17;
+  EXPECT_EQ(settings.read(variables), expected);
+  using render::Show;
+  for (const auto& [assignment, show] : {std::pair("r_show=faces", Show::kFaces),
+                                         {"r_show=edges", Show::kEdges},
+                                         {"r_show=spans", Show::kSpans},
+                                         {"r_show=surfaces", Show::kSurfaces},
+                                         {"r_show=mips", Show::kMips},
+                                         {"r_show=pvs", Show::kPvs},
+                                         {"r_show=overdraw", Show::kOverdraw},
+                                         {"r_show=depth", Show::kDepth},
+                                         {"r_show=picture", Show::kPicture}}) {
+    set(assignment);
+    expected.show = show;
+    EXPECT_EQ(settings.read(variables), expected);
+  }
+}
+
+}  // namespace
+}  // namespace temblor::app

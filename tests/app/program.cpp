@@ -1,0 +1,78 @@
+#include "app/program.h"
+
+#include <fmt/format.h>
+#include <spng.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <set>
+
+#include "base/check.h"
+#include "support/game_data.h"
+#include "support/temporary_folder.h"
+
+namespace temblor::test {
+namespace {
+
+// For the shell, so that it takes the word as it is.
+std::string quoted(const std::string& word) {
+  std::string text(1, '\'');
+  for (const char c : word) {
+    if (c == '\'') text.append("'\\'");
+    text.push_back(c);
+  }
+  text.push_back('\'');
+  return text;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  return std::string(base::as_text(read_file(path)));
+}
+
+}  // namespace
+
+ProgramRun run_program(const std::filesystem::path& folder, const std::vector<std::string>& words) {
+  const TemporaryFolder outputs;
+  const std::filesystem::path out = outputs.path() / "out", err = outputs.path() / "err";
+  std::string command = fmt::format("cd {} && {}", quoted(folder.string()), quoted(TEMBLOR_PROGRAM));
+  for (const std::string& word : words) command.append(fmt::format(" {}", quoted(word)));
+  command.append(fmt::format(" >{} 2>{} </dev/null", quoted(out.string()), quoted(err.string())));
+  const int status = std::system(command.c_str());
+  ProgramRun run;
+  // A shell reports a signal as an exit status above 128.
+  run.exit_status = WIFEXITED(status) && WEXITSTATUS(status) < 128 ? WEXITSTATUS(status) : -1;
+  run.out = read_text(out);
+  run.err = read_text(err);
+  return run;
+}
+
+bool is_one_error_line(std::string_view text) {
+  return text.starts_with("temblor: ") && std::count(text.begin(), text.end(), '\n') == 1 &&
+         text.ends_with('\n');
+}
+
+Png read_png(const std::filesystem::path& path) {
+  const base::ByteVector bytes = read_file(path);
+  const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> context(spng_ctx_new(0), spng_ctx_free);
+  CHECK(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()) == 0);
+  spng_ihdr header{};
+  CHECK(spng_get_ihdr(context.get(), &header) == 0, "{} is no PNG", path.string());
+  std::size_t size = 0;
+  CHECK(spng_decoded_image_size(context.get(), SPNG_FMT_RGB8, &size) == 0);
+  Png png{header.width, header.height, header.color_type == SPNG_COLOR_TYPE_INDEXED,
+          std::vector<std::uint8_t>(size)};
+  CHECK(spng_decode_image(context.get(), png.rgb.data(), size, SPNG_FMT_RGB8, 0) == 0);
+  return png;
+}
+
+std::size_t count_colours(const Png& png) {
+  std::set<std::array<std::uint8_t, 3>> colours;
+  for (std::size_t i = 0; i < png.rgb.size(); i += 3)
+    colours.insert({png.rgb[i], png.rgb[i + 1], png.rgb[i + 2]});
+  return colours.size();
+}
+
+}  // namespace temblor::test
