@@ -137,8 +137,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& settings, FrameB
   s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.build_tables, io_frame.format(),
                              *s.jobs, s.arena, s.job_arenas, s.cache, stats);
   clock.end(Stage::kSurfaces);
-  draw_spans(scene, settings, view, s.spans, s.items, s.build_tables, *s.jobs, s.arena, s.job_arenas,
-             io_frame);
+  draw_spans(scene, settings, view, s.spans, s.items, s.build_tables, *s.jobs, s.arena, io_frame);
   clock.end(Stage::kSpans);
 
   if (settings.show != Show::kPicture)

@@ -3,19 +3,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "render/spans/kernel_planes.h"
+#include "render/spans/repeat_runs.h"
 #include "render/spans/sky_runs.h"
 #include "render/spans/span_kernels.h"
-#include "render/spans/texture_runs.h"
 
 namespace temblor::render {
 
 namespace {
-
-static_assert(sizeof(SpanRun) == sizeof(KernelRun));
-
-KernelPlane kernel_plane(const ScreenPlane& plane) {
-  return {plane.at_origin, plane.dx, plane.dy};
-}
 
 KernelDivide divide_of(const Settings& settings, const ViewFrame& view) {
   if (!view.perspective) return KernelDivide::kNone;
@@ -24,32 +19,36 @@ KernelDivide divide_of(const Settings& settings, const ViewFrame& view) {
 
 void draw_surface(const DrawItem& item, std::span<const SpanRun> runs, KernelDivide divide,
                   bool vector_kernels, const KernelTarget& target, PixelFormat format) {
-  const SurfaceRuns job{kernel_plane(item.depth),
-                        kernel_plane(item.s),
-                        kernel_plane(item.t),
-                        divide,
-                        item.block.texels,
-                        item.block.shape.width,
-                        item.block.shape.width - 1,
-                        item.block.shape.height - 1,
-                        reinterpret_cast<const KernelRun*>(runs.data()),
-                        runs.size()};
+  const SurfaceRuns job{kernel_plane(item.depth),   kernel_plane(item.s),
+                        kernel_plane(item.t),       divide,
+                        item.block.texels,          item.block.shape.width,
+                        item.block.shape.width - 1, item.block.shape.height - 1,
+                        kernel_runs(runs),          runs.size()};
   if (format == PixelFormat::kIndexed)
     vector_kernels ? draw_surface_runs_u8_vector(job, target) : draw_surface_runs_u8_plain(job, target);
   else
     vector_kernels ? draw_surface_runs_u32_vector(job, target) : draw_surface_runs_u32_plain(job, target);
 }
 
-void draw_sky(const DrawItem& item, const SkyLayers& layers, std::span<const SpanRun> runs,
-              bool vector_kernels, const KernelTarget& target, PixelFormat format) {
-  SkyRuns job = layers.runs;
+void draw_sky(SkyRuns job, const DrawItem& item, std::span<const SpanRun> runs, bool vector_kernels,
+              const KernelTarget& target, PixelFormat format) {
   job.depth = kernel_plane(item.depth);
-  job.runs = reinterpret_cast<const KernelRun*>(runs.data());
+  job.runs = kernel_runs(runs);
   job.run_count = runs.size();
   if (format == PixelFormat::kIndexed)
     vector_kernels ? draw_sky_runs_u8_vector(job, target) : draw_sky_runs_u8_plain(job, target);
   else
     vector_kernels ? draw_sky_runs_u32_vector(job, target) : draw_sky_runs_u32_plain(job, target);
+}
+
+void draw_repeating(RepeatRuns job, std::span<const SpanRun> runs, bool vector_kernels,
+                    const KernelTarget& target, PixelFormat format) {
+  job.runs = kernel_runs(runs);
+  job.run_count = runs.size();
+  if (format == PixelFormat::kIndexed)
+    vector_kernels ? draw_repeat_runs_u8_vector(job, target) : draw_repeat_runs_u8_plain(job, target);
+  else
+    vector_kernels ? draw_repeat_runs_u32_vector(job, target) : draw_repeat_runs_u32_plain(job, target);
 }
 
 // Where nothing is: palette entry 0, infinitely far.
@@ -70,31 +69,40 @@ void draw_background(std::span<const SpanRun> runs, const BuildTables& tables, b
 
 void draw_spans(const Scene& scene, const Settings& settings, const ViewFrame& view, const SpanTable& spans,
                 const DrawItems& items, const BuildTables& tables, base::Jobs& jobs, base::Arena& arena,
-                std::vector<base::Arena>& io_job_arenas, FrameBuffer& io_frame) {
+                FrameBuffer& io_frame) {
+  const PixelFormat format = io_frame.format();
   const KernelDivide divide = divide_of(settings, view);
-  const TextureRunFrame texture_frame = make_texture_run_frame(scene, settings, view, tables);
-  const std::span<const SkyLayers*> skies =
-      prepare_sky_layers(scene, view, items, tables, io_frame.format(), arena);
-  const bool indexed = io_frame.format() == PixelFormat::kIndexed;
+  const std::span<const SkyRuns*> skies = prepare_sky_runs(scene, view, items, tables, format, arena);
+  const std::span<const RepeatRuns*> repeating =
+      prepare_repeat_runs(scene, view, items, tables, format, arena);
+  const bool indexed = format == PixelFormat::kIndexed;
   const KernelTarget target{indexed ? static_cast<void*>(io_frame.indexed().data()) : io_frame.rgb().data(),
                             settings.fill_depth ? io_frame.depth().data() : nullptr,
                             static_cast<std::size_t>(io_frame.width())};
-  if (io_job_arenas.size() < spans.bands.size()) io_job_arenas.resize(spans.bands.size());
   jobs.parallel_for(spans.bands.size(), [&](std::size_t number) {
     const Band& band = spans.bands[number];
     for (std::size_t position = 0; position < band.items.size(); ++position) {
-      const DrawItem& item = items.items[band.items[position]];
+      const std::uint32_t item_number = band.items[position];
+      const DrawItem& item = items.items[item_number];
       const std::span<const SpanRun> runs = band.runs.subspan(
           band.run_begin[position], band.run_begin[position + 1] - band.run_begin[position]);
-      if (item.kind == ItemKind::kSurface)
-        draw_surface(item, runs, divide, settings.vector_kernels, target, io_frame.format());
-      else if (item.kind == ItemKind::kSky)
-        draw_sky(item, *skies[band.items[position]], runs, settings.vector_kernels, target,
-                 io_frame.format());
-      else if (item.kind == ItemKind::kNothing)
-        draw_background(runs, tables, settings.fill_depth, io_frame);
-      else
-        draw_texture_runs(texture_frame, item, runs, io_job_arenas[number], io_frame);
+      switch (item.kind) {
+        case ItemKind::kUnused:
+          break;
+        case ItemKind::kNothing:
+          draw_background(runs, tables, settings.fill_depth, io_frame);
+          break;
+        case ItemKind::kSurface:
+          draw_surface(item, runs, divide, settings.vector_kernels, target, format);
+          break;
+        case ItemKind::kSky:
+          draw_sky(*skies[item_number], item, runs, settings.vector_kernels, target, format);
+          break;
+        case ItemKind::kTexture:
+        case ItemKind::kLiquid:
+          draw_repeating(*repeating[item_number], runs, settings.vector_kernels, target, format);
+          break;
+      }
     }
   });
 }

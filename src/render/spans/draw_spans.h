@@ -1,8 +1,6 @@
 // Stage 6. SpanTable and DrawItems -> pixels and depth. Bands are drawn independently of one another.
 #pragma once
 
-#include <vector>
-
 #include "base/arena.h"
 #include "base/parallel_for.h"
 #include "render/frame.h"
@@ -12,6 +10,6 @@ namespace temblor::render {
 
 void draw_spans(const Scene& scene, const Settings& settings, const ViewFrame& view, const SpanTable& spans,
                 const DrawItems& items, const BuildTables& tables, base::Jobs& jobs, base::Arena& arena,
-                std::vector<base::Arena>& io_job_arenas, FrameBuffer& io_frame);
+                FrameBuffer& io_frame);
 
 }  // namespace temblor::render

@@ -1,8 +1,9 @@
 #include "render/spans/sky_runs.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+
+#include "render/spans/repeating_texture.h"
 
 namespace temblor::render {
 
@@ -10,54 +11,31 @@ namespace {
 
 // As the original has them, for layers of 128 texels.
 constexpr double kBackScroll_texels_s = 8, kCloudScroll_texels_s = 16, kSkyTexels = 378, kStockLayer = 128;
-constexpr std::uint32_t kMostLayerTexels = 1024;
-
-// The kernels wrap by masking: a layer of another size is stretched to the next power of two.
-std::int32_t layer_size(std::uint32_t texels) {
-  return static_cast<std::int32_t>(std::bit_ceil(std::clamp<std::uint32_t>(texels, 1, kMostLayerTexels)));
-}
-
-// `width` x `height` texels from the part of the texture that starts at column `left` and is `part` wide.
-// A clear texel (index 0 of the clouds) is 0; others are as they are drawn.
-template <typename Texel, typename Convert>
-const void* copy_layer(const world::Texture& texture, std::uint32_t left, std::uint32_t part,
-                       std::int32_t width, std::int32_t height, Convert convert, base::Arena& arena) {
-  const std::size_t texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  const std::span<Texel> layer = arena.allocate<Texel>(texels + kBlockPadding);
-  Texel* out = layer.data();
-  for (std::int32_t y = 0; y < height; ++y) {
-    const std::size_t row =
-        std::uint64_t{static_cast<std::uint32_t>(y)} * texture.height / static_cast<std::uint32_t>(height);
-    const std::uint8_t* from = texture.mips[0].data() + row * texture.width + left;
-    for (std::int32_t x = 0; x < width; ++x)
-      *out++ = convert(
-          from[std::uint64_t{static_cast<std::uint32_t>(x)} * part / static_cast<std::uint32_t>(width)]);
-  }
-  std::fill(layer.begin() + static_cast<std::ptrdiff_t>(texels), layer.end(), Texel{0});
-  return layer.data();
-}
 
 void copy_vector(const math::Vec3d& from, double (&out)[3]) {
   for (int axis = 0; axis < 3; ++axis) out[axis] = from[axis];
 }
 
-SkyLayers make_layers(const world::Texture& texture, const ViewFrame& view, double time_s,
-                      const BuildTables& tables, PixelFormat format, base::Arena& arena) {
-  SkyLayers layers{};
-  SkyRuns& sky = layers.runs;
+SkyRuns make_layers(const world::Texture& texture, const ViewFrame& view, double time_s,
+                    const BuildTables& tables, PixelFormat format, base::Arena& arena) {
+  SkyRuns sky{};
   const std::uint32_t clouds = std::max(1u, texture.width / 2), back_left = texture.width - clouds;
-  sky.width = sky.texels_a_row = layer_size(clouds);
-  sky.height = layer_size(texture.height);
+  const TexturePart front{texture, 0, 0, clouds}, behind{texture, 0, back_left, clouds};
+  RepeatingTexture front_layer, back_layer;
   if (format == PixelFormat::kIndexed) {
     const auto as_is = [](std::uint8_t index) { return index; };
-    sky.clouds = copy_layer<std::uint8_t>(texture, 0, clouds, sky.width, sky.height, as_is, arena);
-    sky.back = copy_layer<std::uint8_t>(texture, back_left, clouds, sky.width, sky.height, as_is, arena);
+    front_layer = copy_repeating<std::uint8_t>(front, as_is, arena);
+    back_layer = copy_repeating<std::uint8_t>(behind, as_is, arena);
   } else {
     const auto colour = [&](std::uint8_t index) { return tables.rgb[index]; };
     const auto clear = [&](std::uint8_t index) { return index == 0 ? 0u : tables.rgb[index]; };
-    sky.clouds = copy_layer<std::uint32_t>(texture, 0, clouds, sky.width, sky.height, clear, arena);
-    sky.back = copy_layer<std::uint32_t>(texture, back_left, clouds, sky.width, sky.height, colour, arena);
+    front_layer = copy_repeating<std::uint32_t>(front, clear, arena);
+    back_layer = copy_repeating<std::uint32_t>(behind, colour, arena);
   }
+  sky.clouds = front_layer.texels;
+  sky.back = back_layer.texels;
+  sky.width = front_layer.width;
+  sky.height = front_layer.height;
 
   const double texels = sky.width / kStockLayer;
   sky.scale = static_cast<float>(kSkyTexels * texels);
@@ -80,16 +58,16 @@ SkyLayers make_layers(const world::Texture& texture, const ViewFrame& view, doub
   copy_vector(forward, sky.forward);
   copy_vector(right, sky.right);
   copy_vector(down, sky.down);
-  return layers;
+  return sky;
 }
 
 }  // namespace
 
-std::span<const SkyLayers*> prepare_sky_layers(const Scene& scene, const ViewFrame& view,
-                                               const DrawItems& items, const BuildTables& tables,
-                                               PixelFormat format, base::Arena& arena) {
-  const std::span<const SkyLayers*> by_item =
-      arena.allocate_filled<const SkyLayers*>(items.items.size(), nullptr);
+std::span<const SkyRuns*> prepare_sky_runs(const Scene& scene, const ViewFrame& view, const DrawItems& items,
+                                           const BuildTables& tables, PixelFormat format,
+                                           base::Arena& arena) {
+  const std::span<const SkyRuns*> by_item =
+      arena.allocate_filled<const SkyRuns*>(items.items.size(), nullptr);
   std::size_t last_sky = 0;  // few levels have two skies: the last one made usually serves the next item
   for (std::size_t i = 0; i < items.items.size(); ++i) {
     const DrawItem& item = items.items[i];
@@ -98,7 +76,7 @@ std::span<const SkyLayers*> prepare_sky_layers(const Scene& scene, const ViewFra
       by_item[i] = by_item[last_sky];
       continue;
     }
-    const std::span<SkyLayers> room = arena.allocate<SkyLayers>(1);
+    const std::span<SkyRuns> room = arena.allocate<SkyRuns>(1);
     room[0] = make_layers(*item.texture, view, scene.time_s, tables, format, arena);
     by_item[i] = room.data();
     last_sky = i;

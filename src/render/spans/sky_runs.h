@@ -9,14 +9,9 @@
 
 namespace temblor::render {
 
-// One sky texture made ready for a frame: its layers in the frame's pixel format, scrolled.
-struct SkyLayers {
-  SkyRuns runs;  // lacks the spans and their depth
-};
-
-// For every sky item; by item number, null for others. Memory comes from `arena`.
-std::span<const SkyLayers*> prepare_sky_layers(const Scene& scene, const ViewFrame& view,
-                                               const DrawItems& items, const BuildTables& tables,
-                                               PixelFormat format, base::Arena& arena);
+// For every sky item, all that its spans need but the spans and their depth; by item number, null for others.
+// Memory comes from `arena`.
+std::span<const SkyRuns*> prepare_sky_runs(const Scene& scene, const ViewFrame& view, const DrawItems& items,
+                                           const BuildTables& tables, PixelFormat format, base::Arena& arena);
 
 }  // namespace temblor::render

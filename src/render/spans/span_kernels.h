@@ -25,6 +25,9 @@ struct KernelTarget {
   std::size_t width;
 };
 
+// Whatever texels are read may be followed by this many bytes that are read and not used.
+constexpr std::size_t kTexelPadding = 64;
+
 // Spans of one surface. Coordinates are s / depth and t / depth (kNone: s and t), cut off at 0 and at the
 // largest ones.
 struct SurfaceRuns {
@@ -37,14 +40,18 @@ struct SurfaceRuns {
   std::size_t run_count;
 };
 
-// Along one run: pixel i has (base + i * step), in float, for each of the three.
-struct CoordinateRun {
-  float depth, depth_step, s, s_step, t, t_step;
+// Spans of a texture that repeats without end, as it is or swaying: s moves by amplitude * (1 + sin of t), a
+// full turn every 128 texels, and t by s alike. Coordinates are s / depth and t / depth (without `divide`: s
+// and t). Sizes are powers of two, at most 2^15.
+struct RepeatRuns {
+  KernelPlane depth, s, t;
   bool divide;
-  std::int32_t count;
-  float* out_depth;  // null: not filled
-  float* out_s;      // texel coordinates
-  float* out_t;
+  float amplitude;  // texels; 0: still
+  float phase;      // texels, added to the coordinate that the sine is taken of
+  const void* texels;
+  std::int32_t width, height;  // rows follow one another
+  const KernelRun* runs;
+  std::size_t run_count;
 };
 
 // Spans of sky. The ray of pixel (x, y) is forward + x * right + y * down (world space); its direction, with
@@ -57,20 +64,22 @@ struct SkyRuns {
   float clouds_s, clouds_t, back_s, back_t;  // how far each has scrolled, from 0 to its size
   const void* clouds;                        // texels as drawn: bytes or 32-bit colours
   const void* back;
-  std::int32_t width, height, texels_a_row;  // of either layer
+  std::int32_t width, height;  // of either layer; rows follow one another
   const KernelRun* runs;
   std::size_t run_count;
 };
 
 void draw_surface_runs_u8_plain(const SurfaceRuns& runs, const KernelTarget& target);
 void draw_surface_runs_u32_plain(const SurfaceRuns& runs, const KernelTarget& target);
-void find_coordinates_plain(const CoordinateRun& run);
+void draw_repeat_runs_u8_plain(const RepeatRuns& runs, const KernelTarget& target);
+void draw_repeat_runs_u32_plain(const RepeatRuns& runs, const KernelTarget& target);
 void draw_sky_runs_u8_plain(const SkyRuns& runs, const KernelTarget& target);
 void draw_sky_runs_u32_plain(const SkyRuns& runs, const KernelTarget& target);
 
 void draw_surface_runs_u8_vector(const SurfaceRuns& runs, const KernelTarget& target);
 void draw_surface_runs_u32_vector(const SurfaceRuns& runs, const KernelTarget& target);
-void find_coordinates_vector(const CoordinateRun& run);
+void draw_repeat_runs_u8_vector(const RepeatRuns& runs, const KernelTarget& target);
+void draw_repeat_runs_u32_vector(const RepeatRuns& runs, const KernelTarget& target);
 void draw_sky_runs_u8_vector(const SkyRuns& runs, const KernelTarget& target);
 void draw_sky_runs_u32_vector(const SkyRuns& runs, const KernelTarget& target);
 

@@ -19,8 +19,11 @@ void DrawSurfaceRunsU8(const SurfaceRuns& runs, const KernelTarget& target) {
 void DrawSurfaceRunsU32(const SurfaceRuns& runs, const KernelTarget& target) {
   draw_surface_runs_u32_plain(runs, target);
 }
-void FindCoordinates(const CoordinateRun& run) {
-  find_coordinates_plain(run);
+void DrawRepeatRunsU8(const RepeatRuns& runs, const KernelTarget& target) {
+  draw_repeat_runs_u8_plain(runs, target);
+}
+void DrawRepeatRunsU32(const RepeatRuns& runs, const KernelTarget& target) {
+  draw_repeat_runs_u32_plain(runs, target);
 }
 void DrawSkyRunsU8(const SkyRuns& runs, const KernelTarget& target) {
   draw_sky_runs_u8_plain(runs, target);
@@ -43,6 +46,8 @@ using VI = hn::Vec<DI>;
 constexpr float kFarthest = 1e-20f;
 constexpr int kAffinePixels = 16;
 constexpr int kMostLanes = 16;
+constexpr float kFarTexel = 1e9f;
+constexpr float kTurnsATexel = 1.0f / 128.0f;
 
 HWY_INLINE float At(const KernelPlane& plane, const KernelRun& run) {
   return static_cast<float>(plane.at_origin + plane.dx * run.x + plane.dy * run.y);
@@ -60,21 +65,33 @@ HWY_INLINE void StoreFirst(D d, hn::Vec<D> v, hn::TFromD<D>* out, int count) {
 #endif
 }
 
+// Whole part of numbers from 0 to 2^22. Highway's ConvertTo would guard against ones that do not fit 32 bits;
+// adding 2^23 leaves the number itself in the low bits.
+HWY_INLINE VI ToInt(VF v) {
+  const DF d;
+  const DI di;
+  const VF shifted = hn::Add(hn::Trunc(v), hn::Set(d, 8388608.0f));
+  return hn::And(hn::BitCast(di, shifted), hn::Set(di, 0x7fffff));
+}
+
 // Column and row of each pixel's texel.
 struct TexelLanes {
   VI column, row;
 };
 
+// How a texture lies in memory.
+struct Rows {
+  int texels_a_row, last_row;
+};
+
 struct Sampler {
   VF last_s, last_t;
-  int texels_a_row, last_row;
+  Rows rows;
 
   HWY_INLINE TexelLanes At(VF s, VF t) const {
     const DF d;
-    const DI di;
     const VF zero = hn::Zero(d);
-    return {hn::ConvertTo(di, hn::Min(hn::Max(s, zero), last_s)),
-            hn::ConvertTo(di, hn::Min(hn::Max(t, zero), last_t))};
+    return {ToInt(hn::Min(hn::Max(s, zero), last_s)), ToInt(hn::Min(hn::Max(t, zero), last_t))};
   }
 };
 
@@ -96,7 +113,12 @@ HWY_INLINE void StoreTexels(hn::Vec<DU> texels, uint32_t* out, int count) {
     StoreFirst(DU(), texels, out, count);
 }
 HWY_INLINE void StoreTexels(hn::Vec<DU> texels, uint8_t* out, int count) {
+#if HWY_TARGET <= HWY_AVX3
+  const hn::Vec<D8> bytes{
+      _mm512_cvtepi32_epi8(texels.raw)};  // one instruction; TruncateTo takes two shuffles
+#else
   const auto bytes = hn::TruncateTo(D8(), texels);
+#endif
   if (count == static_cast<int>(hn::Lanes(DU())))
     hn::StoreU(bytes, D8(), out);
   else
@@ -106,7 +128,7 @@ HWY_INLINE void StoreTexels(hn::Vec<DU> texels, uint8_t* out, int count) {
 // Seen from near, a vector of pixels shows a few neighbouring texels: whole pieces of rows are loaded, and
 // the pixels picked out of registers. False when the texels do not fit `kRows` rows of a vector's width.
 template <int kRows, typename Texel>
-HWY_INLINE bool FetchWindow(const Texel* HWY_RESTRICT texels, const Sampler& sampler, Direction direction,
+HWY_INLINE bool FetchWindow(const Texel* HWY_RESTRICT texels, const Rows& rows, Direction direction,
                             const TexelLanes& at, Texel* HWY_RESTRICT out, int count) {
   const DI di;
   const DU du;
@@ -121,10 +143,10 @@ HWY_INLINE bool FetchWindow(const Texel* HWY_RESTRICT texels, const Sampler& sam
   if (count < lanes) fits = hn::Or(fits, hn::Not(hn::FirstN(du, static_cast<size_t>(count))));
   if (!hn::AllTrue(du, fits)) return false;
   const auto pick = hn::IndicesFromVec(du, hn::And(column, hn::Set(du, static_cast<uint32_t>(lanes - 1))));
-  const Texel* piece = texels + first_row * sampler.texels_a_row + first_column;
+  const Texel* piece = texels + first_row * rows.texels_a_row + first_column;
   auto colours = hn::TableLookupLanes(LoadTexels(piece), pick);
   for (int r = 1; r < kRows; ++r) {
-    if (first_row + r <= sampler.last_row) piece += sampler.texels_a_row;
+    if (first_row + r <= rows.last_row) piece += rows.texels_a_row;
     const auto here = hn::Eq(row, hn::Set(du, static_cast<uint32_t>(r)));
     colours = hn::IfThenElse(here, hn::TableLookupLanes(LoadTexels(piece), pick), colours);
   }
@@ -134,13 +156,13 @@ HWY_INLINE bool FetchWindow(const Texel* HWY_RESTRICT texels, const Sampler& sam
 
 // Texels one by one, their numbers two to a load.
 template <typename Texel>
-HWY_INLINE void FetchScattered(const Texel* HWY_RESTRICT texels, const Sampler& sampler, const TexelLanes& at,
+HWY_INLINE void FetchScattered(const Texel* HWY_RESTRICT texels, const Rows& rows, const TexelLanes& at,
                                Texel* HWY_RESTRICT out, int count) {
   const DI di;
   const DU du;
   constexpr int kLanes = static_cast<int>(hn::MaxLanes(DU()));
   HWY_ALIGN uint32_t numbers[kMostLanes];
-  hn::Store(hn::BitCast(du, hn::Add(hn::Mul(at.row, hn::Set(di, sampler.texels_a_row)), at.column)), du,
+  hn::Store(hn::BitCast(du, hn::Add(hn::Mul(at.row, hn::Set(di, rows.texels_a_row)), at.column)), du,
             numbers);
   if (count == kLanes) {
     HWY_FENCE;  // or the compiler takes the numbers out of the vector lane by lane, which is slower
@@ -157,11 +179,11 @@ HWY_INLINE void FetchScattered(const Texel* HWY_RESTRICT texels, const Sampler& 
 }
 
 template <typename Texel>
-HWY_INLINE void Fetch(const Texel* HWY_RESTRICT texels, const Sampler& sampler, Direction direction,
+HWY_INLINE void Fetch(const Texel* HWY_RESTRICT texels, const Rows& rows, Direction direction,
                       const TexelLanes& at, Texel* HWY_RESTRICT out, int count) {
-  if (FetchWindow<2>(texels, sampler, direction, at, out, count)) return;
-  if (FetchWindow<4>(texels, sampler, direction, at, out, count)) return;
-  FetchScattered(texels, sampler, at, out, count);
+  if (FetchWindow<2>(texels, rows, direction, at, out, count)) return;
+  if (FetchWindow<4>(texels, rows, direction, at, out, count)) return;
+  FetchScattered(texels, rows, at, out, count);
 }
 
 struct Line {
@@ -196,7 +218,7 @@ HWY_INLINE void DrawEveryPixel(const RunLines& lines, const Sampler& sampler, co
     }
     const VF z = hn::Div(hn::Set(d, 1.0f), hn::Max(depth, hn::Set(d, kFarthest)));
     const TexelLanes at = sampler.At(hn::Mul(lines.s.Lanes(i), z), hn::Mul(lines.t.Lanes(i), z));
-    Fetch(texels, sampler, direction, at, out + i, now);
+    Fetch(texels, sampler.rows, direction, at, out + i, now);
   }
 }
 
@@ -215,7 +237,7 @@ HWY_INLINE void DrawAffine(const Line& s, const Line& t, const Sampler& sampler,
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int i = 0; i < count; i += lanes) {
     const int now = count - i < lanes ? count - i : lanes;
-    Fetch(texels, sampler, {s.step < 0, t.step < 0}, sampler.At(s.Lanes(i), t.Lanes(i)), out + i, now);
+    Fetch(texels, sampler.rows, {s.step < 0, t.step < 0}, sampler.At(s.Lanes(i), t.Lanes(i)), out + i, now);
   }
 }
 
@@ -245,7 +267,8 @@ template <typename Texel>
 HWY_INLINE void DrawSurfaceRuns(const SurfaceRuns& runs, const KernelTarget& target) {
   const DF d;
   const Sampler sampler{hn::Set(d, static_cast<float>(runs.last_s)),
-                        hn::Set(d, static_cast<float>(runs.last_t)), runs.texels_a_row, runs.last_t};
+                        hn::Set(d, static_cast<float>(runs.last_t)),
+                        {runs.texels_a_row, runs.last_t}};
   const Texel* texels = static_cast<const Texel*>(runs.texels);
   RunLines lines;
   lines.depth.step = static_cast<float>(runs.depth.dx);
@@ -278,21 +301,6 @@ void DrawSurfaceRunsU32(const SurfaceRuns& runs, const KernelTarget& target) {
   DrawSurfaceRuns<uint32_t>(runs, target);
 }
 
-void FindCoordinates(const CoordinateRun& run) {
-  const DF d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const Line depth_line{run.depth, run.depth_step}, s{run.s, run.s_step}, t{run.t, run.t_step};
-  const VF one = hn::Set(d, 1.0f);
-  for (int i = 0; i < run.count; i += lanes) {
-    const int now = run.count - i < lanes ? run.count - i : lanes;
-    const VF depth = depth_line.Lanes(i);
-    if (run.out_depth != nullptr) StoreFirst(d, depth, run.out_depth + i, now);
-    const VF z = run.divide ? hn::Div(one, hn::Max(depth, hn::Set(d, kFarthest))) : one;
-    StoreFirst(d, hn::Mul(s.Lanes(i), z), run.out_s + i, now);
-    StoreFirst(d, hn::Mul(t.Lanes(i), z), run.out_t + i, now);
-  }
-}
-
 // Down to the next whole number, without Highway's care for numbers beyond 32 bits.
 HWY_INLINE VI FloorToInt(VF v) {
   const DF d;
@@ -302,29 +310,23 @@ HWY_INLINE VI FloorToInt(VF v) {
   return hn::Add(whole, hn::VecFromMask(di, above));
 }
 
+// A texture that repeats: width and height are powers of two.
 template <typename Texel>
-class SkyLayer {
- public:
-  HWY_INLINE SkyLayer(const void* texels, float s, float t, const SkyRuns& sky)
-      : texels_(static_cast<const Texel*>(texels)), s_(s), t_(t), width_(sky.width), height_(sky.height) {}
+struct Repeating {
+  const Texel* texels;
+  int width, height;
 
-  HWY_INLINE void Fetch(const Sampler& sampler, VF s, VF t, Texel* out) const {
-    const DF d;
+  HWY_INLINE void Fetch(VF s, VF t, Texel* out, int count) const {
     const DI di;
-    const TexelLanes at{hn::And(FloorToInt(hn::Add(s, hn::Set(d, s_))), hn::Set(di, width_ - 1)),
-                        hn::And(FloorToInt(hn::Add(t, hn::Set(d, t_))), hn::Set(di, height_ - 1))};
-    const int last = static_cast<int>(hn::Lanes(di)) - 1;
-    const auto lane = [](VI v, int i) { return hn::ExtractLane(v, static_cast<size_t>(i)); };
-    const Direction direction{lane(at.column, last) < lane(at.column, 0),
-                              lane(at.row, last) < lane(at.row, 0)};
-    if (!FetchWindow<2>(texels_, sampler, direction, at, out, last + 1))
-      FetchScattered(texels_, sampler, at, out, last + 1);
+    const TexelLanes at{hn::And(FloorToInt(s), hn::Set(di, width - 1)),
+                        hn::And(FloorToInt(t), hn::Set(di, height - 1))};
+    const size_t last = hn::Lanes(di) - 1;
+    const Direction direction{hn::ExtractLane(at.column, last) < hn::GetLane(at.column),
+                              hn::ExtractLane(at.row, last) < hn::GetLane(at.row)};
+    const Rows rows{width, height - 1};
+    if (!FetchWindow<2>(texels, rows, direction, at, out, count))
+      FetchScattered(texels, rows, at, out, count);
   }
-
- private:
-  const Texel* texels_;
-  float s_, t_;
-  int width_, height_;
 };
 
 template <typename Texel>
@@ -332,9 +334,8 @@ HWY_INLINE void DrawSkyRuns(const SkyRuns& sky, const KernelTarget& target) {
   const DF d;
   const DU du;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const Sampler sampler{hn::Zero(d), hn::Zero(d), sky.texels_a_row, sky.height - 1};
-  const SkyLayer<Texel> clouds(sky.clouds, sky.clouds_s, sky.clouds_t, sky);
-  const SkyLayer<Texel> back(sky.back, sky.back_s, sky.back_t, sky);
+  const Repeating<Texel> clouds{static_cast<const Texel*>(sky.clouds), sky.width, sky.height};
+  const Repeating<Texel> back{static_cast<const Texel*>(sky.back), sky.width, sky.height};
   HWY_ALIGN Texel cloud_texels[kMostLanes], back_texels[kMostLanes];
   for (size_t r = 0; r < sky.run_count; ++r) {
     const KernelRun& run = sky.runs[r];
@@ -351,13 +352,70 @@ HWY_INLINE void DrawSkyRuns(const SkyRuns& sky, const KernelTarget& target) {
       const VF square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
       const VF stretch = hn::Div(hn::Set(d, sky.scale), hn::Sqrt(square));
       const VF s = hn::Mul(x, stretch), t = hn::Mul(y, stretch);
-      clouds.Fetch(sampler, s, t, cloud_texels);
-      back.Fetch(sampler, s, t, back_texels);
+      clouds.Fetch(hn::Add(s, hn::Set(d, sky.clouds_s)), hn::Add(t, hn::Set(d, sky.clouds_t)), cloud_texels,
+                   lanes);
+      back.Fetch(hn::Add(s, hn::Set(d, sky.back_s)), hn::Add(t, hn::Set(d, sky.back_t)), back_texels, lanes);
       const auto cloud = LoadTexels(cloud_texels);
       const auto shown = hn::IfThenElse(hn::Eq(cloud, hn::Zero(du)), LoadTexels(back_texels), cloud);
       StoreTexels(shown, out + i, run.count - i < lanes ? run.count - i : lanes);
     }
   }
+}
+
+// See `swing` of the plain twin.
+HWY_INLINE VF Swing(VF turns) {
+  const DF d;
+  const VF r = hn::Sub(turns, hn::Round(turns));
+  const VF parabola =
+      hn::Sub(hn::Mul(r, hn::Set(d, 8.0f)), hn::Mul(hn::Mul(r, hn::Abs(r)), hn::Set(d, 16.0f)));
+  const VF bend = hn::Mul(hn::Sub(hn::Mul(parabola, hn::Abs(parabola)), parabola), hn::Set(d, 0.225f));
+  return hn::Add(hn::Set(d, 1.0f), hn::Add(parabola, bend));
+}
+
+HWY_INLINE VF Bounded(VF texel) {
+  const DF d;
+  return hn::Min(hn::Max(texel, hn::Set(d, -kFarTexel)), hn::Set(d, kFarTexel));
+}
+
+template <typename Texel>
+HWY_INLINE void DrawRepeatRuns(const RepeatRuns& repeat, const KernelTarget& target) {
+  const DF d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const Repeating<Texel> texture{static_cast<const Texel*>(repeat.texels), repeat.width, repeat.height};
+  const VF phase = hn::Set(d, repeat.phase), amplitude = hn::Set(d, repeat.amplitude);
+  const VF turns_a_texel = hn::Set(d, kTurnsATexel);
+  for (size_t r = 0; r < repeat.run_count; ++r) {
+    const KernelRun& run = repeat.runs[r];
+    const size_t first = run.y * target.width + run.x;
+    Texel* out = static_cast<Texel*>(target.pixels) + first;
+    const Line depth_line{At(repeat.depth, run), static_cast<float>(repeat.depth.dx)};
+    const Line s_line{At(repeat.s, run), static_cast<float>(repeat.s.dx)};
+    const Line t_line{At(repeat.t, run), static_cast<float>(repeat.t.dx)};
+    if (target.depth != nullptr) FillDepth(depth_line, run.count, target.depth + first);
+    for (int i = 0; i < run.count; i += lanes) {
+      VF s = s_line.Lanes(i), t = t_line.Lanes(i);
+      if (repeat.divide) {
+        const VF z = hn::Div(hn::Set(d, 1.0f), hn::Max(depth_line.Lanes(i), hn::Set(d, kFarthest)));
+        s = hn::Mul(s, z);
+        t = hn::Mul(t, z);
+      }
+      s = Bounded(s);
+      t = Bounded(t);
+      if (repeat.amplitude != 0.0f) {
+        const VF s_swing = Swing(hn::Mul(hn::Add(t, phase), turns_a_texel));
+        t = hn::Add(t, hn::Mul(Swing(hn::Mul(hn::Add(s, phase), turns_a_texel)), amplitude));
+        s = hn::Add(s, hn::Mul(s_swing, amplitude));
+      }
+      texture.Fetch(s, t, out + i, run.count - i < lanes ? run.count - i : lanes);
+    }
+  }
+}
+
+void DrawRepeatRunsU8(const RepeatRuns& runs, const KernelTarget& target) {
+  DrawRepeatRuns<uint8_t>(runs, target);
+}
+void DrawRepeatRunsU32(const RepeatRuns& runs, const KernelTarget& target) {
+  DrawRepeatRuns<uint32_t>(runs, target);
 }
 
 void DrawSkyRunsU8(const SkyRuns& runs, const KernelTarget& target) {
@@ -377,7 +435,8 @@ namespace temblor::render {
 
 HWY_EXPORT(DrawSurfaceRunsU8);
 HWY_EXPORT(DrawSurfaceRunsU32);
-HWY_EXPORT(FindCoordinates);
+HWY_EXPORT(DrawRepeatRunsU8);
+HWY_EXPORT(DrawRepeatRunsU32);
 HWY_EXPORT(DrawSkyRunsU8);
 HWY_EXPORT(DrawSkyRunsU32);
 
@@ -387,8 +446,11 @@ void draw_surface_runs_u8_vector(const SurfaceRuns& runs, const KernelTarget& ta
 void draw_surface_runs_u32_vector(const SurfaceRuns& runs, const KernelTarget& target) {
   HWY_DYNAMIC_DISPATCH(DrawSurfaceRunsU32)(runs, target);
 }
-void find_coordinates_vector(const CoordinateRun& run) {
-  HWY_DYNAMIC_DISPATCH(FindCoordinates)(run);
+void draw_repeat_runs_u8_vector(const RepeatRuns& runs, const KernelTarget& target) {
+  HWY_DYNAMIC_DISPATCH(DrawRepeatRunsU8)(runs, target);
+}
+void draw_repeat_runs_u32_vector(const RepeatRuns& runs, const KernelTarget& target) {
+  HWY_DYNAMIC_DISPATCH(DrawRepeatRunsU32)(runs, target);
 }
 void draw_sky_runs_u8_vector(const SkyRuns& runs, const KernelTarget& target) {
   HWY_DYNAMIC_DISPATCH(DrawSkyRunsU8)(runs, target);

@@ -20,6 +20,9 @@ namespace temblor::render {
 
 enum class ItemKind : std::uint8_t { kUnused, kNothing, kSurface, kTexture, kLiquid, kSky };
 
+// Rows of the colormap.
+constexpr std::uint8_t kLightAsStored = 31, kLightNone = 63;
+
 struct DrawItem {
   ItemKind kind = ItemKind::kUnused;
   std::uint8_t mip = 0;

@@ -84,8 +84,7 @@ class Preparation {
       item.kind = face.kind == world::FaceKind::kSky      ? ItemKind::kSky
                   : face.kind == world::FaceKind::kLiquid ? ItemKind::kLiquid
                                                           : ItemKind::kTexture;
-      constexpr std::uint8_t kAsStored = 31, kBlack = 63;
-      item.light_row = face.kind == world::FaceKind::kLit ? kBlack : kAsStored;
+      item.light_row = face.kind == world::FaceKind::kLit ? kLightNone : kLightAsStored;
       if (item.kind == ItemKind::kLiquid) item.mip = 0;
       const double texel = 1.0 / (1 << item.mip);
       item.s = scaled(

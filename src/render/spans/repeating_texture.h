@@ -1,0 +1,51 @@
+// Textures made ready for the kernels that let them repeat: sizes rounded up to powers of two, texels in the
+// frame's pixel format, padding behind the last one.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include "base/arena.h"
+#include "render/spans/span_kernels.h"
+#include "world/level.h"
+
+namespace temblor::render {
+
+// The columns [left, left + width) of a texture's mip level.
+struct TexturePart {
+  const world::Texture& texture;
+  int mip;
+  std::uint32_t left, width;
+};
+
+struct RepeatingTexture {
+  const void* texels = nullptr;
+  std::int32_t width = 0, height = 0;
+};
+
+// A texture of another size is stretched to the next power of two; none is made larger than this.
+constexpr std::uint32_t kMostRepeatingTexels = 1024;
+
+// `convert`: palette index -> Texel as it is drawn.
+template <typename Texel, typename Convert>
+RepeatingTexture copy_repeating(const TexturePart& part, Convert convert, base::Arena& arena) {
+  const auto size = [](std::uint32_t texels) {
+    return std::bit_ceil(std::clamp(texels, 1u, kMostRepeatingTexels));
+  };
+  const std::uint32_t full_width = std::max(1u, part.texture.width >> part.mip);
+  const std::uint32_t full_height = std::max(1u, part.texture.height >> part.mip);
+  const std::uint32_t width = size(part.width), height = size(full_height);
+  const std::span<Texel> texels = arena.allocate<Texel>(std::size_t{width} * height + kTexelPadding);
+  Texel* out = texels.data();
+  for (std::uint32_t y = 0; y < height; ++y) {
+    const std::uint8_t* row = part.texture.mips[static_cast<std::size_t>(part.mip)].data() +
+                              std::uint64_t{y} * full_height / height * full_width + part.left;
+    for (std::uint32_t x = 0; x < width; ++x) *out++ = convert(row[std::uint64_t{x} * part.width / width]);
+  }
+  std::fill(texels.end() - kTexelPadding, texels.end(), Texel{0});
+  return {texels.data(), static_cast<std::int32_t>(width), static_cast<std::int32_t>(height)};
+}
+
+}  // namespace temblor::render
