@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kNearPlane = 1.0 / 16;  // nothing nearer is drawn, units
 
-// Two faces at depths this near to each other (relative) are one as far as a picture can tell.
-constexpr double kTieRelative = 1e-5;
+// Faces this near to each other lie in one place: compilers write planes and vertices no better.
+constexpr double kTieUnits = 1.0 / 64;
 
 constexpr std::array<math::Vec2d, 8> kAround = {
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
@@ -104,8 +104,9 @@ bool Comparison::is_same(const std::optional<Hit>& hit, const render::PixelFace&
 bool Comparison::is_tied(const Ray& ray, const std::optional<Hit>& hit,
                          const render::PixelFace& drawn) const {
   if (!hit || drawn.instance == render::PixelFace::kNothing) return false;
-  const auto distance = ray_scene_.distance_to(ray, drawn.instance, world::FaceIndex{drawn.face});
-  return distance && std::abs(*distance - hit->distance) <= kTieRelative * hit->distance;
+  const world::FaceIndex face{drawn.face};
+  return ray_scene_.distance_to(ray, drawn.instance, face) &&
+         ray_scene_.distance_from_plane(ray.at(hit->distance), drawn.instance, face) <= kTieUnits;
 }
 
 bool Comparison::seen_within_a_pixel(int x, int y, const render::PixelFace& drawn) const {

@@ -20,7 +20,7 @@ struct Tally {
   std::uint64_t pixels = 0;
   // The face: of `pixels`, each pixel is one of these.
   std::uint64_t same_face = 0;
-  std::uint64_t tied = 0;       // another face at the same depth (coplanar faces of two models)
+  std::uint64_t tied = 0;       // another face in the same place (coplanar faces of two models)
   std::uint64_t near_edge = 0;  // the oracle sees the renderer's face within one pixel from here
   std::uint64_t wrong_face = 0;
   std::uint64_t on_brush_models = 0;  // where the oracle sees one

@@ -19,7 +19,7 @@ test::Viewpoint viewpoint_number(const world::Level& level, render::Projection p
                             .time_s = io_random.uniform(0, 100)};
   viewpoint.camera.projection = projection;
   viewpoint.camera.units_per_pixel = static_cast<float>(io_random.log_uniform(0.1, 5));
-  if (number % 2 == 1) test::displace(viewpoint.brush_models, io_random);
+  if (number % 2 == 1) test::displace(level, viewpoint.brush_models, io_random);
   return viewpoint;
 }
 

@@ -1,5 +1,7 @@
 #include "oracle/ray_scene.h"
 
+#include <cmath>
+
 #include "math/angles.h"
 
 namespace temblor::oracle {
@@ -69,6 +71,13 @@ double RayScene::distance_to_plane(const Ray& ray_world, std::uint32_t instance,
   const Ray ray = ray_in_model(instance, ray_world);
   return (static_cast<double>(plane.distance) - glm::dot(normal, ray.origin)) /
          glm::dot(normal, ray.direction);
+}
+
+double RayScene::distance_from_plane(const math::Vec3d& point_world, std::uint32_t instance,
+                                     world::FaceIndex face) const {
+  const world::Plane& plane = level_->level().planes[level_->level().face(face).plane];
+  return std::abs(glm::dot(math::Vec3d(plane.normal), to_model(instance, point_world)) -
+                  static_cast<double>(plane.distance));
 }
 
 }  // namespace temblor::oracle

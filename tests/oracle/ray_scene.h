@@ -18,6 +18,10 @@ namespace temblor::oracle {
 struct Placement {
   math::Vec3d origin{0.0}, x_axis{1, 0, 0}, y_axis{0, 1, 0}, z_axis{0, 0, 1};
 
+  // How far a point lies from the plane of a face, units.
+  double distance_from_plane(const math::Vec3d& point_world, std::uint32_t instance,
+                             world::FaceIndex face) const;
+
   math::Vec3d to_model(const math::Vec3d& point_world) const;
   math::Vec3d direction_to_model(const math::Vec3d& direction_world) const;
 };

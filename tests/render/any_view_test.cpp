@@ -73,7 +73,7 @@ Viewpoint any_viewpoint(const world::Level& level, Random& io_random) {
   Viewpoint viewpoint{.camera = any_camera(level, io_random),
                       .brush_models = shown_brush_models(level),
                       .time_s = io_random.chance(0.1) ? 1e7 : io_random.uniform(0, 1000)};
-  if (io_random.chance(0.5)) displace(viewpoint.brush_models, io_random);
+  if (io_random.chance(0.5)) displace(level, viewpoint.brush_models, io_random);
   for (render::BrushModelInstance& instance : viewpoint.brush_models) {
     if (!io_random.chance(0.2)) continue;
     instance.origin_world = random_eye(level, io_random);

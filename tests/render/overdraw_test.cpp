@@ -33,7 +33,7 @@ void expect_no_overdraw(const DrawableLevel& drawable, int views) {
     Random random(static_cast<std::uint64_t>(view));
     Viewpoint viewpoint{.camera = random_camera(*drawable.level, random),
                         .brush_models = shown_brush_models(*drawable.level)};
-    if (view % 2 == 1) displace(viewpoint.brush_models, random);
+    if (view % 2 == 1) displace(*drawable.level, viewpoint.brush_models, random);
     const auto [width, height] = kSizes[random.below(kSizes.size())];
     render::FrameBuffer frame(width, height, render::PixelFormat::kIndexed);
     for (const bool occlusion_cull : {false, true}) {

@@ -61,7 +61,7 @@ Viewpoint viewpoint_number(const world::Level& level, int number) {
   Viewpoint viewpoint{.camera = random_camera(level, random),
                       .brush_models = shown_brush_models(level),
                       .time_s = random.uniform(0, 100)};
-  if (number % 2 == 1) displace(viewpoint.brush_models, random);
+  if (number % 2 == 1) displace(level, viewpoint.brush_models, random);
   if (number % 5 == 4) viewpoint.camera.projection = render::Projection::kOrthographic;
   return viewpoint;
 }

@@ -1,9 +1,12 @@
 #include "support/viewpoints.h"
 
+#include <algorithm>
 #include <charconv>
+#include <glm/vector_relational.hpp>
 #include <optional>
 
 #include "base/check.h"
+#include "math/angles.h"
 #include "world/visibility.h"
 
 namespace temblor::test {
@@ -49,6 +52,23 @@ math::Vec3 random_open_point(const world::Level& level, Random& io_random) {
   CHECK(false, "level {} has no open leaf", level.name);
 }
 
+// Of a brush model that has moved and turned about z, in the world.
+math::Bounds bounds_of(const world::Level& level, const render::BrushModelInstance& instance) {
+  const math::Bounds& bounds = level.models[base::to_size(instance.model)].bounds;
+  const math::Basis basis = math::basis_from_angles(instance.angles_deg);
+  const math::Vec3 middle = (bounds.mins + bounds.maxs) * 0.5f, half = (bounds.maxs - bounds.mins) * 0.5f;
+  const math::Vec3 x_axis(basis.forward), y_axis(-basis.right), z_axis(basis.up);
+  const math::Vec3 middle_world =
+      instance.origin_world + x_axis * middle.x + y_axis * middle.y + z_axis * middle.z;
+  const math::Vec3 half_world =
+      glm::abs(x_axis) * half.x + glm::abs(y_axis) * half.y + glm::abs(z_axis) * half.z;
+  return {middle_world - half_world, middle_world + half_world};
+}
+
+bool overlap(const math::Bounds& a, const math::Bounds& b) {
+  return glm::all(glm::lessThan(a.mins, b.maxs)) && glm::all(glm::lessThan(b.mins, a.maxs));
+}
+
 }  // namespace
 
 render::Scene Viewpoint::scene(const world::Level& level) const {
@@ -69,10 +89,23 @@ std::vector<render::BrushModelInstance> shown_brush_models(const world::Level& l
   return shown;
 }
 
-void displace(std::span<render::BrushModelInstance> io_brush_models, Random& io_random) {
+void displace(const world::Level& level, std::span<render::BrushModelInstance> io_brush_models,
+              Random& io_random) {
+  constexpr int kAttempts = 8;
   for (render::BrushModelInstance& instance : io_brush_models) {
-    instance.origin_world += io_random.in_cube(kMostMoved);
-    if (io_random.below(3) == 0) instance.angles_deg.y = static_cast<float>(io_random.uniform(0, 360));
+    const render::BrushModelInstance at_home = instance;
+    const auto is_clear = [&](const math::Bounds& bounds) {
+      return std::none_of(io_brush_models.begin(), io_brush_models.end(), [&](const auto& other) {
+        return &other != &instance && overlap(bounds, bounds_of(level, other));
+      });
+    };
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      instance = at_home;
+      instance.origin_world += io_random.in_cube(kMostMoved);
+      if (io_random.below(3) == 0) instance.angles_deg.y = static_cast<float>(io_random.uniform(0, 360));
+      if (is_clear(bounds_of(level, instance))) break;
+      instance = at_home;
+    }
   }
 }
 

@@ -23,8 +23,11 @@ struct Viewpoint {
 // left out.
 std::vector<render::BrushModelInstance> shown_brush_models(const world::Level& level);
 
-// Moves every brush model by up to 64 units along each axis, and turns every third one about z.
-void displace(std::span<render::BrushModelInstance> io_brush_models, Random& io_random);
+// Moves every brush model by up to 64 units along each axis, and turns every third one about z, where it then
+// keeps clear of the others: those that cut through one another are told apart only where an edge begins, in
+// the original as here, and no picture of them is the right one.
+void displace(const world::Level& level, std::span<render::BrushModelInstance> io_brush_models,
+              Random& io_random);
 
 // An eye in a random open leaf (each leaf as likely), looking anywhere, mostly level and upright, mostly with
 // a field of view of 90 degrees. CHECKs that the level has an open leaf.
