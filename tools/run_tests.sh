@@ -32,12 +32,12 @@ check() {
   fi
 }
 
-# build PRESET [TARGET...]: quiet unless it fails.
+# build PRESET [TARGET...]: quiet unless it fails; then everything that does not compile is said at once.
 build() {
   local preset=$1 log=build/$1.log
   shift
   mkdir -p build
-  { cmake --preset "$preset" "${configure_options[@]}" && "${launcher[@]}" cmake --build --preset "$preset" ${1:+--target "$@"}; } \
+  { cmake --preset "$preset" "${configure_options[@]}" && "${launcher[@]}" cmake --build --preset "$preset" ${1:+--target "$@"} -- -k 0; } \
     >"$log" 2>&1 || { grep -E -A 12 'error|FAILED|Error' "$log" | head -60; return 1; }
 }
 
