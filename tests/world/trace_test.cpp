@@ -154,7 +154,7 @@ TEST(TraceLine, ThroughTheSmallLevelStopsWhereItsPlanIsSolid) {
   test::Random random(21);
   for (const Hull hull : {Hull::kPoint, Hull::kPlayer, Hull::kLarge}) {
     const IsSolid& is_solid = in_solid[static_cast<std::size_t>(hull)];
-    const int traces = hull == Hull::kPoint ? test::effort(2000, 100) : test::effort(200, 10);
+    const int traces = hull == Hull::kPoint ? test::effort(2000, 100) : test::effort(200, 60);
     const Counts counts = check_random_traces(test, 0, hull, is_solid, random, traces);
     EXPECT_EQ(counts.stepped_back, 0);
     EXPECT_GT(counts.stopped, traces / 20);

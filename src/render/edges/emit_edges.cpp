@@ -1,5 +1,6 @@
 // World faces go in as they are; faces of brush models are first cut at the world's leafs, so that every
 // piece takes its leaf's place in the front-to-back order (Abrash, "The Big Picture").
+#include <algorithm>
 #include <array>
 
 #include "render/edges/edge_emitter.h"
@@ -88,11 +89,22 @@ void emit_pieces(const world::Level& level, const VisibleFaces& visible, const B
   }
 }
 
+// Whether the model may be on the screen: a sphere round it against the frustum.
+bool in_frustum(const ViewFrame& view, const ModelView& model_view, const math::Bounds& bounds) {
+  const math::Vec3d mins(bounds.mins), maxs(bounds.maxs);
+  const math::Vec3d centre = model_view.to_world((mins + maxs) * 0.5);
+  const double radius = glm::length(maxs - mins) / 2;
+  return std::all_of(view.frustum.begin(), view.frustum.end(), [&](const FrustumPlane& plane) {
+    return glm::dot(plane.normal, centre) + plane.offset >= -radius * glm::length(plane.normal);
+  });
+}
+
 void emit_brush_model(const Scene& scene, std::uint32_t instance, const ViewFrame& view,
                       const ModelView& model_view, const VisibleFaces& visible, base::Arena& arena,
                       EdgeEmitter& io_emitter) {
   const world::Level& level = *scene.level;
   const world::Model& model = level.models[base::to_size(scene.brush_models[instance - 1].model)];
+  if (!in_frustum(view, model_view, model.bounds)) return;
   for (std::uint32_t i = model.first_face; i < model.first_face + model.face_count; ++i) {
     const world::Face& face = level.faces[i];
     const FacePlacement placed = place_face(level, face, model_view);

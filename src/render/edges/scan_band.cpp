@@ -87,14 +87,20 @@ class BandScan {
   void advance_to(int row) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < active_.size(); ++i) {
-      ActiveEdge edge = active_[i];
-      if (edge.last_row < row) continue;
+      if (active_[i].last_row < row) continue;
+      if (kept != i) active_[kept] = active_[i];
+      ActiveEdge& edge = active_[kept];
       edge.x = edge.base + edge.step * row;
-      std::size_t place = kept++;
-      for (; place > 0 && edge.before(active_[place - 1]); --place) active_[place] = active_[place - 1];
-      active_[place] = edge;
+      if (kept > 0 && edge.before(active_[kept - 1])) insert_before(kept);
+      ++kept;
     }
     active_.shrink(kept);
+  }
+
+  void insert_before(std::size_t place) {
+    const ActiveEdge edge = active_[place];
+    for (; place > 0 && edge.before(active_[place - 1]); --place) active_[place] = active_[place - 1];
+    active_[place] = edge;
   }
 
   void end_span(int pixel) {
