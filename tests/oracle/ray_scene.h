@@ -18,10 +18,6 @@ namespace temblor::oracle {
 struct Placement {
   math::Vec3d origin{0.0}, x_axis{1, 0, 0}, y_axis{0, 1, 0}, z_axis{0, 0, 1};
 
-  // How far a point lies from the plane of a face, units.
-  double distance_from_plane(const math::Vec3d& point_world, std::uint32_t instance,
-                             world::FaceIndex face) const;
-
   math::Vec3d to_model(const math::Vec3d& point_world) const;
   math::Vec3d direction_to_model(const math::Vec3d& direction_world) const;
 };
@@ -67,6 +63,10 @@ class RayScene {
   // Where the ray meets the whole plane of a face; infinite or negative where it runs along it or away from
   // it.
   double distance_to_plane(const Ray& ray, std::uint32_t instance, world::FaceIndex face) const;
+
+  // How far a point lies from the plane of a face, units.
+  double distance_from_plane(const math::Vec3d& point_world, std::uint32_t instance,
+                             world::FaceIndex face) const;
 
   math::Vec3d to_model(std::uint32_t instance, const math::Vec3d& point_world) const {
     return placements_[instance].to_model(point_world);
