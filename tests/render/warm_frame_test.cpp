@@ -1,48 +1,13 @@
-// A warm frame asks the heap for nothing: this program counts every operator new.
+// A warm frame asks the heap for nothing: every operator new of the program is counted.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
+#include <vector>
 
+#include "render/allocation_counter.h"
 #include "render/renderer.h"
 #include "support/drawable_level.h"
 #include "support/game_data.h"
 #include "support/viewpoints.h"
-
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-void* counted_allocation(std::size_t bytes, std::size_t alignment) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-  if (memory == nullptr) std::abort();
-  return memory;
-}
-
-constexpr std::size_t kOrdinaryAlignment = 16;
-
-}  // namespace
-
-void* operator new(std::size_t bytes) {
-  return counted_allocation(bytes, kOrdinaryAlignment);
-}
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return counted_allocation(bytes, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
 
 namespace temblor::test {
 namespace {
@@ -63,9 +28,9 @@ void expect_no_allocation(const DrawableLevel& drawable, const render::Settings&
       std::size_t while_drawing = 0;
       for (const Viewpoint& viewpoint : viewpoints) {
         const render::Scene scene = viewpoint.scene(*drawable.level);
-        const std::size_t before = allocations.load();
+        const std::size_t before = allocation_count();
         renderer.render(scene, settings, frame);
-        while_drawing += allocations.load() - before;
+        while_drawing += allocation_count() - before;
       }
       return while_drawing;
     };
