@@ -175,14 +175,15 @@ HWY_INLINE void FetchScattered(const Texel* HWY_RESTRICT texels, const Rows& row
     }
     return;
   }
-  for (int i = 0; i < count; ++i) out[i] = texels[numbers[i]];
+  for (int i = 0; i < kLanes && i < count; ++i) out[i] = texels[numbers[i]];
 }
 
-template <typename Texel>
+// kRows: how many rows of texels a vector of pixels is expected to need; 0: more than a window holds.
+template <int kRows, typename Texel>
 HWY_INLINE void Fetch(const Texel* HWY_RESTRICT texels, const Rows& rows, Direction direction,
                       const TexelLanes& at, Texel* HWY_RESTRICT out, int count) {
-  if (FetchWindow<2>(texels, rows, direction, at, out, count)) return;
-  if (FetchWindow<4>(texels, rows, direction, at, out, count)) return;
+  if constexpr (kRows > 0)
+    if (HWY_LIKELY(FetchWindow<kRows>(texels, rows, direction, at, out, count))) return;
   FetchScattered(texels, rows, at, out, count);
 }
 
@@ -199,27 +200,64 @@ struct RunLines {
   Line depth, s, t;
 };
 
+// How a run walks through the texture: s / depth changes by s_change * z * z a pixel, and t alike.
+struct Walk {
+  float s_change, t_change;
+
+  HWY_INLINE explicit Walk(const RunLines& lines)
+      : s_change(lines.s.step * lines.depth.base - lines.s.base * lines.depth.step),
+        t_change(lines.t.step * lines.depth.base - lines.t.base * lines.depth.step) {}
+  HWY_INLINE Direction Way() const { return {s_change < 0, t_change < 0}; }
+  // Rows of texels under a vector of pixels where they are farthest apart; 0: more than four, or too long.
+  HWY_INLINE int RowsNeeded(const RunLines& lines, int count) const {
+    const float last = lines.depth.base + static_cast<float>(count - 1) * lines.depth.step;
+    const float least = last < lines.depth.base ? last : lines.depth.base;
+    if (!(least > kFarthest)) return 0;
+    const float lanes = static_cast<float>(hn::Lanes(DF())) - 1.0f;
+    const float pixels = lanes / (least * least);
+    const float columns = pixels * (s_change < 0 ? -s_change : s_change);
+    const float rows = pixels * (t_change < 0 ? -t_change : t_change);
+    return columns > lanes || rows > 3.0f ? 0 : rows > 1.0f ? 4 : 2;
+  }
+};
+
+template <int kRows, typename Texel>
+HWY_INLINE void DrawVector(const RunLines& lines, const Sampler& sampler, Direction direction,
+                           const Texel* texels, int i, int count, Texel* out, float* out_depth) {
+  const DF d;
+  const VF depth = lines.depth.Lanes(i);
+  if (out_depth != nullptr) {
+    if (count == static_cast<int>(hn::Lanes(d)))
+      hn::StoreU(depth, d, out_depth + i);
+    else
+      StoreFirst(d, depth, out_depth + i, count);
+  }
+  const VF z = hn::Div(hn::Set(d, 1.0f), hn::Max(depth, hn::Set(d, kFarthest)));
+  const TexelLanes at = sampler.At(hn::Mul(lines.s.Lanes(i), z), hn::Mul(lines.t.Lanes(i), z));
+  Fetch<kRows>(texels, sampler.rows, direction, at, out + i, count);
+}
+
+template <int kRows, typename Texel>
+HWY_INLINE void DrawVectors(const RunLines& lines, const Sampler& sampler, Direction direction,
+                            const Texel* texels, int count, Texel* out, float* out_depth) {
+  const int lanes = static_cast<int>(hn::Lanes(DF()));
+  int i = 0;
+  for (; i + lanes <= count; i += lanes)
+    DrawVector<kRows>(lines, sampler, direction, texels, i, lanes, out, out_depth);
+  if (i < count) DrawVector<kRows>(lines, sampler, direction, texels, i, count - i, out, out_depth);
+}
+
 template <typename Texel>
 HWY_INLINE void DrawEveryPixel(const RunLines& lines, const Sampler& sampler, const Texel* texels, int count,
                                Texel* out, float* out_depth) {
-  const DF d;
-  // The sign of the derivative of s / depth, which does not change along a run.
-  const Direction direction{lines.s.step * lines.depth.base < lines.s.base * lines.depth.step,
-                            lines.t.step * lines.depth.base < lines.t.base * lines.depth.step};
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int i = 0; i < count; i += lanes) {
-    const int now = count - i < lanes ? count - i : lanes;
-    const VF depth = lines.depth.Lanes(i);
-    if (out_depth != nullptr) {
-      if (now == lanes)
-        hn::StoreU(depth, d, out_depth + i);
-      else
-        StoreFirst(d, depth, out_depth + i, now);
-    }
-    const VF z = hn::Div(hn::Set(d, 1.0f), hn::Max(depth, hn::Set(d, kFarthest)));
-    const TexelLanes at = sampler.At(hn::Mul(lines.s.Lanes(i), z), hn::Mul(lines.t.Lanes(i), z));
-    Fetch(texels, sampler.rows, direction, at, out + i, now);
-  }
+  const Walk walk(lines);
+  const int rows = walk.RowsNeeded(lines, count);
+  if (rows == 2)
+    DrawVectors<2>(lines, sampler, walk.Way(), texels, count, out, out_depth);
+  else if (rows == 4)
+    DrawVectors<4>(lines, sampler, walk.Way(), texels, count, out, out_depth);
+  else
+    DrawVectors<0>(lines, sampler, walk.Way(), texels, count, out, out_depth);
 }
 
 HWY_INLINE void FillDepth(const Line& line, int count, float* out) {
@@ -237,7 +275,8 @@ HWY_INLINE void DrawAffine(const Line& s, const Line& t, const Sampler& sampler,
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int i = 0; i < count; i += lanes) {
     const int now = count - i < lanes ? count - i : lanes;
-    Fetch(texels, sampler.rows, {s.step < 0, t.step < 0}, sampler.At(s.Lanes(i), t.Lanes(i)), out + i, now);
+    Fetch<4>(texels, sampler.rows, {s.step < 0, t.step < 0}, sampler.At(s.Lanes(i), t.Lanes(i)), out + i,
+             now);
   }
 }
 
@@ -324,8 +363,7 @@ struct Repeating {
     const Direction direction{hn::ExtractLane(at.column, last) < hn::GetLane(at.column),
                               hn::ExtractLane(at.row, last) < hn::GetLane(at.row)};
     const Rows rows{width, height - 1};
-    if (!FetchWindow<2>(texels, rows, direction, at, out, count))
-      FetchScattered(texels, rows, at, out, count);
+    temblor::render::HWY_NAMESPACE::Fetch<4>(texels, rows, direction, at, out, count);
   }
 };
 
