@@ -24,7 +24,9 @@ TEST_P(StockLevelPicture, IsWhatRaysSee) {
   const Tally tally =
       judge_pictures(test::stock_level(data, map_name), {.format = format, .views = test::effort(200, 10)});
   expect_right(tally);
-  EXPECT_GT(tally.on_brush_models, tally.pixels / 1000) << "too few to say anything of doors";
+  if (!test::kQuick) {
+    EXPECT_GT(tally.on_brush_models, tally.pixels / 1000) << "too few to say anything of doors";
+  }
 }
 
 TEST_P(StockLevelPicture, IsWhatParallelRaysSee) {
