@@ -32,7 +32,4 @@ FacePlacement place_face(const world::Level& level, const world::Face& face, con
 // positive: its back is seen.
 double facing(const ViewFrame& view, const math::Vec3d& normal, double distance);
 
-// Seen at less than this, a face is a line and gives no span.
-constexpr double kEdgeOn = 1e-6;
-
 }  // namespace temblor::render

@@ -13,6 +13,10 @@ namespace temblor::render {
 // Nothing nearer than this is drawn, in units along the view.
 constexpr double kNearPlane = 1.0 / 16.0;
 
+// A plane that the eye is nearer to than this (seen in parallel: a cosine) is a line on the screen: its faces
+// are not drawn.
+constexpr double kEdgeOn = 1e-6;
+
 // A function of the pixel, linear in x and y: 1/z and texture coordinates over z are such functions on a
 // plane.
 struct ScreenPlane {

@@ -1,6 +1,7 @@
 #include "render/view/visible_faces.h"
 
 #include <array>
+#include <cmath>
 
 #include "world/visibility.h"
 
@@ -101,7 +102,7 @@ class Walk {
                                              : -glm::dot(math::Vec3d(plane.normal), view_.axes.forward);
     const int side = towards >= 0 ? 0 : 1;
     open_.push_back({node.children[static_cast<std::size_t>(1 - side)], -1, flags});
-    if (node.face_count > 0) open_.push_back({step.child, side, 0});
+    if (node.face_count > 0 && std::abs(towards) >= kEdgeOn) open_.push_back({step.child, side, 0});
     open_.push_back({node.children[static_cast<std::size_t>(side)], -1, flags});
   }
 
