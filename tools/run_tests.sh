@@ -67,7 +67,7 @@ suite() {
   echo "$preset: $all tests, $bad failed, $off skipped"
   # GoogleTest's reasons, each with how many tests gave it.
   grep -A 1 -h ': Skipped$' "$report" | grep -v -e ': Skipped$' -e '^--' | sort | uniq -c | sed 's/^/  skipped: /'
-  if [ "$bad" -ne 0 ]; then grep -v -E ' Passed |^ *Start ' "$log" | head -200; fi
+  if [ "$bad" -ne 0 ]; then grep -v -E ' Passed |Skipped|^ *Start ' "$log" | head -200; fi
 }
 
 formatted() {

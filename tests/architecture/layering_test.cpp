@@ -127,8 +127,12 @@ TEST(LayeringRules, KernelFileMayDrawInPlainDataOnly) {
 TEST(LayeringRules, VectorCodeElsewhereIsABreach) {
   EXPECT_THAT(kernel_breaches(invent({{"world/level.cpp", "#include <hwy/highway.h>\n"}})),
               ElementsAre(HasSubstr("outside the folders of kernels")));
-  EXPECT_THAT(kernel_breaches(invent({{"render/spans/draw.cpp", "x = _mm256_add_ps(a, b);\n"}})),
+  const std::string intrinsic = "x = _mm256_add_ps(a, b);\n";
+  EXPECT_THAT(kernel_breaches(invent({{"render/spans/draw.cpp", intrinsic}})),
               ElementsAre(HasSubstr("one instruction set")));
+  EXPECT_THAT(
+      kernel_breaches(invent({{"render/spans/kernel.cpp", "#include <hwy/foreach_target.h>\n" + intrinsic}})),
+      IsEmpty());
 }
 
 }  // namespace

@@ -223,9 +223,11 @@ std::vector<std::string> kernel_breaches(const std::vector<SourceFile>& files) {
   for (const SourceFile& file : files) {
     if (includes_highway(file) && !may_hold_kernels(file.path))
       breaches.push_back(file.path + ": vector code outside the folders of kernels");
-    if (std::regex_search(file.text, one_instruction_set))
-      breaches.push_back(file.path + ": code for one instruction set");
-    if (!is_compiled_per_target(file)) continue;
+    if (!is_compiled_per_target(file)) {
+      if (std::regex_search(file.text, one_instruction_set))
+        breaches.push_back(file.path + ": code for one instruction set outside a kernel file");
+      continue;
+    }
     for (const SourceFile* header : closure_of(file, by_path))
       if (!is_compiled_per_target(*header) && has_function_body(*header))
         breaches.push_back(file.path + ": draws in " + header->path + ", which has function bodies");
