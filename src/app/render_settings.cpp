@@ -39,8 +39,6 @@ RenderSettings::RenderSettings(command::Variables& variables) {
                                       "Keeps lit surfaces from frame to frame; 0: builds all anew.");
   cache_mb_ = variables.add_float("r_cache_mb", static_cast<double>(defaults.cache_bytes) / kBytesPerMebibyte,
                                   0, 65536, "Memory for kept surfaces, in MiB.");
-  occlusion_cull_ = variables.add_bool("r_occlusion_cull", defaults.occlusion_cull,
-                                       "Leaves out faces wholly behind nearer ones before edges are made.");
   use_pvs_ = variables.add_bool("r_use_pvs", defaults.use_pvs,
                                 "Skips what the level's potentially visible set rules out.");
   fill_depth_ = variables.add_bool("r_fill_depth", defaults.fill_depth,
@@ -64,7 +62,6 @@ render::Settings RenderSettings::read(const command::Variables& variables) const
   settings.vector_kernels = variables.bool_value(vector_kernels_);
   settings.surface_cache = variables.bool_value(surface_cache_);
   settings.cache_bytes = static_cast<std::size_t>(variables.float_value(cache_mb_) * kBytesPerMebibyte);
-  settings.occlusion_cull = variables.bool_value(occlusion_cull_);
   settings.use_pvs = variables.bool_value(use_pvs_);
   settings.fill_depth = variables.bool_value(fill_depth_);
   settings.coloured_light = variables.bool_value(coloured_light_);

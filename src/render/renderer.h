@@ -26,8 +26,6 @@ struct Settings {
   bool vector_kernels = true;  // false: the plain C++ twins
   bool surface_cache = true;   // false: everything is built anew for each frame
   std::size_t cache_bytes = std::size_t{256} << 20;
-  bool occlusion_cull =
-      true;  // leave out faces that lie wholly behind nearer ones before they enter the edge list
   bool use_pvs = true;
   bool fill_depth = true;      // false: for measuring what filling 1/z costs
   bool coloured_light = true;  // false: grey light also where the level has colours

@@ -203,9 +203,6 @@ TEST(RenderSettings, EveryFieldHasAVariable) {
   set("r_cache_mb=0.5");
   expected.cache_bytes = 512 * 1024;
   EXPECT_EQ(settings.read(variables), expected);
-  set("r_occlusion_cull=0");
-  expected.occlusion_cull = false;
-  EXPECT_EQ(settings.read(variables), expected);
   set("r_use_pvs=0");
   expected.use_pvs = false;
   EXPECT_EQ(settings.read(variables), expected);

@@ -93,7 +93,6 @@ render::Settings any_settings(Random& io_random) {
           .vector_kernels = io_random.chance(0.7),
           .surface_cache = io_random.chance(0.9),
           .cache_bytes = kCacheBytes[io_random.below(3)],
-          .occlusion_cull = io_random.chance(0.7),
           .use_pvs = io_random.chance(0.7),
           .coloured_light = io_random.chance(0.7),
           .band_rows = kBandRows[io_random.below(5)]};

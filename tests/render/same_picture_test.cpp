@@ -46,12 +46,11 @@ std::vector<NamedSettings> settings_of_one_picture() {
         [&](render::Settings& settings) { settings.cache_bytes = bytes; });
   add("plain kernels", [](render::Settings& settings) { settings.vector_kernels = false; });
   add("no cache", [](render::Settings& settings) { settings.surface_cache = false; });
-  add("no occlusion cull", [](render::Settings& settings) { settings.occlusion_cull = false; });
   add("all of it", [](render::Settings& settings) {
     settings.threads = 8;
     settings.band_rows = 7;
     settings.cache_bytes = 20000;
-    settings.vector_kernels = settings.occlusion_cull = false;
+    settings.vector_kernels = false;
   });
   return all;
 }
