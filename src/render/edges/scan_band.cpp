@@ -69,12 +69,14 @@ class BandScan {
       const int pixel = edge.x <= 0 ? 0 : static_cast<int>(std::ceil(std::min<double>(edge.x, width_)));
       if (pixel >= width_) break;
       if (edge.trailing != kBackground) leave(static_cast<std::uint32_t>(edge.trailing), pixel);
-      if (edge.leading != kBackground) begin(static_cast<std::uint32_t>(edge.leading), pixel);
+      if (edge.leading != kBackground) begin(static_cast<std::uint32_t>(edge.leading), pixel, edge.x);
     }
     end_span(width_);
   }
 
  private:
+  // Relative. The original allows one part in a hundred, and takes faces for touching that stand well apart.
+  static constexpr double kTouching = 1e-5;
   static constexpr std::uint32_t kBottom = 0;  // the background's place in the stack
 
   void enter(std::uint32_t number) {
@@ -131,11 +133,11 @@ class BandScan {
     }
   }
 
-  void begin(std::uint32_t surface, int pixel) {
+  void begin(std::uint32_t surface, int pixel, double edge_x) {
     StackEntry& begun = entry(surface);
     if (++begun.inside != 1) return;
     std::uint32_t below = top_;
-    if (in_front(begun, stack_[below], pixel)) {
+    if (in_front(begun, stack_[below], std::max(edge_x, 0.0))) {
       end_span(pixel);
       begun.farther = top_;
       stack_[top_].nearer = surface;
@@ -143,22 +145,22 @@ class BandScan {
       return;
     }
     do below = stack_[below].farther;
-    while (!in_front(begun, stack_[below], pixel));
+    while (!in_front(begun, stack_[below], std::max(edge_x, 0.0)));
     begun.farther = below;
     begun.nearer = stack_[below].nearer;
     stack_[begun.nearer].farther = surface;
     stack_[below].nearer = surface;
   }
 
-  // Brush models in one leaf have the same key: the nearer one is in front, and where two touch (within one
-  // part in a hundred), the one that comes nearer towards the right.
-  bool in_front(const StackEntry& begun, const StackEntry& other, int pixel) const {
+  // Brush models in one leaf have the same key: the nearer one is in front, and where two touch at
+  // the edge that begins, the one that comes nearer towards the right.
+  bool in_front(const StackEntry& begun, const StackEntry& other, double x) const {
     if (begun.key != other.key) return begun.key < other.key;
     const ScreenPlane& plane = table_.pieces[begun.piece].depth;
     const ScreenPlane& other_plane = table_.pieces[other.piece].depth;
-    const double depth = plane.at(pixel, row_), other_depth = other_plane.at(pixel, row_);
+    const double depth = plane.at(x, row_), other_depth = other_plane.at(x, row_);
     // Orthographic depths are negative, so the tolerance goes by the size of the number.
-    const double tolerance = 0.01 * std::abs(depth);
+    const double tolerance = kTouching * std::abs(depth);
     if (depth - tolerance >= other_depth) return true;
     return depth + tolerance >= other_depth && plane.dx >= other_plane.dx;
   }

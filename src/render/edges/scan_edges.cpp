@@ -78,6 +78,17 @@ void split_at_tiles(const ScannedSpan& span, const ScreenSurface& surface, const
   }
 }
 
+PixelSum sum_pixels(std::span<const SpanRun> runs) {
+  PixelSum sum;
+  for (const SpanRun& run : runs) {
+    const std::uint64_t count = run.count;
+    sum.pixels += count;
+    sum.x += count * run.x + count * (count - 1) / 2;
+    sum.y += count * run.y;
+  }
+  return sum;
+}
+
 // Counting sort by item; within one, spans keep their order: by row, then from the left.
 Band group_by_item(std::span<const ItemSpan> spans, std::uint32_t item_count, int first_row, int row_count,
                    base::Arena& arena) {
@@ -96,7 +107,10 @@ Band group_by_item(std::span<const ItemSpan> spans, std::uint32_t item_count, in
   run_begin[used] = runs_before;
   std::span<SpanRun> runs = arena.allocate<SpanRun>(spans.size());
   for (const ItemSpan& span : spans) runs[count[span.item]++] = span.run;
-  return {first_row, row_count, runs, items, run_begin};
+  std::span<PixelSum> sums = arena.allocate<PixelSum>(used);
+  for (std::uint32_t i = 0; i < used; ++i)
+    sums[i] = sum_pixels(runs.subspan(run_begin[i], run_begin[i + 1] - run_begin[i]));
+  return {first_row, row_count, runs, items, run_begin, sums};
 }
 
 }  // namespace

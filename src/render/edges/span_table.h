@@ -16,12 +16,18 @@ struct SpanRun {
   std::uint16_t x, y, count;
 };
 
+// Sums over the pixels of one item's runs: where on the screen it is seen, and how large.
+struct PixelSum {
+  std::uint64_t pixels = 0, x = 0, y = 0;
+};
+
 // A band of scan lines, and the spans in it grouped by item: one surface, or one tile of a large one.
 struct Band {
   int first_row, row_count;
   std::span<const SpanRun> runs;
   std::span<const std::uint32_t> items;      // that have runs here, increasing
   std::span<const std::uint32_t> run_begin;  // by position in `items`, and one more at the end
+  std::span<const PixelSum> sums;            // by position in `items`
 };
 
 struct SpanTable {

@@ -5,8 +5,6 @@
 
 namespace temblor::render {
 
-namespace {
-
 // Pixels that a texel of mip 0 is wide, as the original estimates it, and its thresholds.
 int stock_mip(const ViewFrame& view, double nearest, double axes_length) {
   const double bias = axes_length < 0.32 ? 4 : axes_length < 0.49 ? 3 : axes_length < 0.99 ? 2 : 1;
@@ -14,27 +12,20 @@ int stock_mip(const ViewFrame& view, double nearest, double axes_length) {
   return scale >= 1.0 ? 0 : scale >= 0.4 ? 1 : scale >= 0.2 ? 2 : 3;
 }
 
-// Texels of mip 0 that a pixel covers at the nearest point: the area that the map from screen to texture
-// stretches it to. Each mip level has a quarter of the texels; the one nearest to one texel a pixel is taken.
+// The area that the map from screen to texture stretches a pixel to. Each mip level has a quarter of the
+// texels; the one nearest to one texel a pixel is taken.
 int footprint_mip(const ViewFrame& view, const ScreenPlane& depth, const ScreenPlane& s, const ScreenPlane& t,
-                  double nearest) {
+                  double x, double y) {
   double texels = std::abs(s.dx * t.dy - s.dy * t.dx);
   if (view.perspective) {
     // Jacobian of (s, t) / depth: the determinant of the three planes over depth cubed.
     const double determinant = s.at_origin * (t.dx * depth.dy - t.dy * depth.dx) -
                                s.dx * (t.at_origin * depth.dy - t.dy * depth.at_origin) +
                                s.dy * (t.at_origin * depth.dx - t.dx * depth.at_origin);
-    texels = std::abs(determinant) / (nearest * nearest * nearest);
+    const double here = depth.at(x, y);
+    texels = std::abs(determinant) / (here * here * here);
   }
   return texels < 2 ? 0 : texels < 8 ? 1 : texels < 32 ? 2 : 3;
-}
-
-}  // namespace
-
-int choose_mip(MipRule rule, const ViewFrame& view, const ScreenPlane& depth, const ScreenPlane& s,
-               const ScreenPlane& t, double nearest, double axes_length) {
-  return rule == MipRule::kStock ? stock_mip(view, nearest, axes_length)
-                                 : footprint_mip(view, depth, s, t, nearest);
 }
 
 double nearest_depth(const ViewFrame& view, std::span<const math::Vec3d> corners_world, base::Arena& arena) {

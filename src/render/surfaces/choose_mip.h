@@ -4,15 +4,17 @@
 #include <span>
 
 #include "base/arena.h"
-#include "render/renderer.h"
 #include "render/view/view_frame.h"
 
 namespace temblor::render {
 
-// `depth`, `s`, `t`: of mip 0; `nearest` is ViewFrame::depth at the nearest visible point. `axes_length`:
+// The original's rule. `nearest` is ViewFrame::depth at the nearest point on the screen; `axes_length` the
 // mean length of the face's texture axes, in texels a unit.
-int choose_mip(MipRule rule, const ViewFrame& view, const ScreenPlane& depth, const ScreenPlane& s,
-               const ScreenPlane& t, double nearest, double axes_length);
+int stock_mip(const ViewFrame& view, double nearest, double axes_length);
+
+// From the texels of mip 0 (planes `depth`, `s`, `t`) that a pixel covers at (x, y).
+int footprint_mip(const ViewFrame& view, const ScreenPlane& depth, const ScreenPlane& s, const ScreenPlane& t,
+                  double x, double y);
 
 // The largest depth of a face within the screen; `corners_world` in any order round.
 double nearest_depth(const ViewFrame& view, std::span<const math::Vec3d> corners_world, base::Arena& arena);

@@ -35,12 +35,19 @@ class Preparation {
         spans_(spans),
         format_(format),
         arena_(arena),
-        items_(arena.allocate_filled<DrawItem>(table.item_count, DrawItem{})) {}
+        items_(arena.allocate_filled<DrawItem>(table.item_count, DrawItem{})),
+        seen_(arena.allocate_filled<PixelSum>(table.item_count, PixelSum{})) {}
 
-  // Marks what got spans.
+  // Marks what got spans, and sums up where.
   void collect() {
     for (const Band& band : spans_.bands)
-      for (const std::uint32_t item : band.items) items_[item].kind = ItemKind::kSurface;
+      for (std::size_t i = 0; i < band.items.size(); ++i) {
+        items_[band.items[i]].kind = ItemKind::kSurface;
+        PixelSum& seen = seen_[band.items[i]];
+        seen.pixels += band.sums[i].pixels;
+        seen.x += band.sums[i].x;
+        seen.y += band.sums[i].y;
+      }
     if (items_[0].kind != ItemKind::kUnused) items_[0].kind = ItemKind::kNothing;
   }
 
@@ -58,19 +65,13 @@ class Preparation {
     const ScreenPlane depth = depth_plane(view_, placed.normal, placed.distance);
     const ScreenPlane s = coordinate_plane(view_, depth, placed.s_axis, placed.s_offset);
     const ScreenPlane t = coordinate_plane(view_, depth, placed.t_axis, placed.t_offset);
-    const double axes_length = (glm::length(placed.s_axis) + glm::length(placed.t_axis)) / 2;
-    const auto mip_at = [&](double nearest) {
-      if (settings_.force_mip >= 0) return std::min(settings_.force_mip, 3);
-      return choose_mip(settings_.mip_rule, view_, depth, s, t, nearest, axes_length);
-    };
-    const int mip = tiles == 1 ? mip_at(nearest(surface, face, model_view, scratch)) : 0;
     for (std::uint32_t tile = 0; tile < tiles; ++tile) {
       DrawItem& item = items[tile];
       if (item.kind == ItemKind::kUnused) continue;
       item.surface = base::to_index<SurfaceIndex>(number);
       item.depth = depth;
-      item.mip = static_cast<std::uint8_t>(
-          tiles == 1 ? mip : mip_at(nearest_in_spans(surface.first_item + tile, depth)));
+      item.mip =
+          static_cast<std::uint8_t>(mip_of(surface, surface.first_item + tile, placed, depth, s, t, scratch));
       item.texture = &level_.texture(texture_of(surface, face));
       const double scale = 1.0 / (1 << item.mip);
       if (face.kind == world::FaceKind::kLit && face.light != world::kNoLight) {
@@ -161,13 +162,29 @@ class Preparation {
     return cache.slot(request.face, std::size_t{request.tile_t} * grid.s + request.tile_s, request.mip);
   }
 
-  double nearest(const ScreenSurface& surface, const world::Face& face, const ModelView& model_view,
-                 base::Arena& scratch) const {
+  int mip_of(const ScreenSurface& surface, std::uint32_t item, const FacePlacement& placed,
+             const ScreenPlane& depth, const ScreenPlane& s, const ScreenPlane& t,
+             base::Arena& scratch) const {
+    if (settings_.force_mip >= 0) return std::min(settings_.force_mip, 3);
+    if (settings_.mip_rule == MipRule::kFootprint) {
+      // In the middle of what is seen of it.
+      const PixelSum& seen = seen_[item];
+      const double pixels = static_cast<double>(seen.pixels);
+      return footprint_mip(view_, depth, s, t, static_cast<double>(seen.x) / pixels,
+                           static_cast<double>(seen.y) / pixels);
+    }
+    const bool whole = surface.tiles.s == 1 && surface.tiles.t == 1;
+    const double nearest = whole ? nearest_of_face(surface, scratch) : nearest_in_spans(item, depth);
+    return stock_mip(view_, nearest, (glm::length(placed.s_axis) + glm::length(placed.t_axis)) / 2);
+  }
+
+  double nearest_of_face(const ScreenSurface& surface, base::Arena& scratch) const {
     if (surface.nearest_z > 0) return view_.depth(static_cast<double>(surface.nearest_z));
+    const world::Face& face = level_.face(surface.face);
     const std::span<math::Vec3d> corners = scratch.allocate<math::Vec3d>(face.surfedge_count);
     for (std::uint32_t i = 0; i < face.surfedge_count; ++i)
-      corners[i] =
-          model_view.to_world(math::Vec3d(level_.vertices[level_.surfedge_start(face.first_surfedge + i)]));
+      corners[i] = table_.model_views[surface.instance].to_world(
+          math::Vec3d(level_.vertices[level_.surfedge_start(face.first_surfedge + i)]));
     return nearest_depth(view_, corners, scratch);
   }
 
@@ -195,6 +212,7 @@ class Preparation {
   const PixelFormat format_;
   base::Arena& arena_;
   std::span<DrawItem> items_;
+  std::span<PixelSum> seen_;  // by item
 };
 
 // One arena for each of `count` jobs.
