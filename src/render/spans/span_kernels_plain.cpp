@@ -11,7 +11,7 @@ namespace {
 constexpr float kFarthest = 1e-20f;
 constexpr int kAffinePixels = 16;
 // Repeating coordinates beyond this are not told apart: far out on faces that seem to stretch for ever.
-constexpr float kFarTexel = 1e9f;
+constexpr float kFarTexel = 4e6f;
 constexpr float kTurnsATexel = 1.0f / 128.0f;
 
 float at(const KernelPlane& plane, const KernelRun& run) {

@@ -46,7 +46,7 @@ using VI = hn::Vec<DI>;
 constexpr float kFarthest = 1e-20f;
 constexpr int kAffinePixels = 16;
 constexpr int kMostLanes = 16;
-constexpr float kFarTexel = 1e9f;
+constexpr float kFarTexel = 4e6f;
 constexpr float kTurnsATexel = 1.0f / 128.0f;
 
 HWY_INLINE float At(const KernelPlane& plane, const KernelRun& run) {
@@ -65,16 +65,16 @@ HWY_INLINE void StoreFirst(D d, hn::Vec<D> v, hn::TFromD<D>* out, int count) {
 #endif
 }
 
-// Whole part of numbers from 0 to 2^22. Highway's ConvertTo would guard against ones that do not fit 32 bits;
-// adding 2^23 leaves the number itself in the low bits.
-HWY_INLINE VI ToInt(VF v) {
-  const DF d;
-  const DI di;
-  const VF shifted = hn::Add(hn::Trunc(v), hn::Set(d, 8388608.0f));
-  return hn::And(hn::BitCast(di, shifted), hn::Set(di, 0x7fffff));
+// Whole numbers in the low bits of floats: Highway's ConvertTo guards against numbers that do not fit 32
+// bits, which these never are. The plain part of the sum is kBias, and cancels where two of them are
+// subtracted.
+constexpr float kShift = 12582912.0f;  // 1.5 * 2^23: room for numbers from -2^22 to 2^22
+constexpr int kBias = 0x4b400000;
+HWY_INLINE VI FloorBiased(VF v) {
+  return hn::BitCast(DI(), hn::Add(hn::Floor(v), hn::Set(DF(), kShift)));
 }
 
-// Column and row of each pixel's texel.
+// Column and row of each pixel's texel, kBias added.
 struct TexelLanes {
   VI column, row;
 };
@@ -88,10 +88,11 @@ struct Sampler {
   VF last_s, last_t;
   Rows rows;
 
+  template <bool kInside>
   HWY_INLINE TexelLanes At(VF s, VF t) const {
-    const DF d;
-    const VF zero = hn::Zero(d);
-    return {ToInt(hn::Min(hn::Max(s, zero), last_s)), ToInt(hn::Min(hn::Max(t, zero), last_t))};
+    if constexpr (kInside) return {FloorBiased(s), FloorBiased(t)};
+    const VF zero = hn::Zero(DF());
+    return {FloorBiased(hn::Min(hn::Max(s, zero), last_s)), FloorBiased(hn::Min(hn::Max(t, zero), last_t))};
   }
 };
 
@@ -133,11 +134,11 @@ HWY_INLINE bool FetchWindow(const Texel* HWY_RESTRICT texels, const Rows& rows, 
   const DI di;
   const DU du;
   const int lanes = static_cast<int>(hn::Lanes(di));
-  int first_column = hn::GetLane(at.column), first_row = hn::GetLane(at.row);
+  int first_column = hn::GetLane(at.column) - kBias, first_row = hn::GetLane(at.row) - kBias;
   if (direction.left) first_column = first_column < lanes ? 0 : first_column - lanes + 1;
   if (direction.up) first_row = first_row < kRows ? 0 : first_row - kRows + 1;
-  const auto column = hn::BitCast(du, hn::Sub(at.column, hn::Set(di, first_column)));
-  const auto row = hn::BitCast(du, hn::Sub(at.row, hn::Set(di, first_row)));
+  const auto column = hn::BitCast(du, hn::Sub(at.column, hn::Set(di, first_column + kBias)));
+  const auto row = hn::BitCast(du, hn::Sub(at.row, hn::Set(di, first_row + kBias)));
   auto fits = hn::And(hn::Lt(column, hn::Set(du, static_cast<uint32_t>(lanes))),
                       hn::Lt(row, hn::Set(du, static_cast<uint32_t>(kRows))));
   if (count < lanes) fits = hn::Or(fits, hn::Not(hn::FirstN(du, static_cast<size_t>(count))));
@@ -162,8 +163,9 @@ HWY_INLINE void FetchScattered(const Texel* HWY_RESTRICT texels, const Rows& row
   const DU du;
   constexpr int kLanes = static_cast<int>(hn::MaxLanes(DU()));
   HWY_ALIGN uint32_t numbers[kMostLanes];
-  hn::Store(hn::BitCast(du, hn::Add(hn::Mul(at.row, hn::Set(di, rows.texels_a_row)), at.column)), du,
-            numbers);
+  const VI bias = hn::Set(di, kBias);
+  const VI before = hn::Mul(hn::Sub(at.row, bias), hn::Set(di, rows.texels_a_row));
+  hn::Store(hn::BitCast(du, hn::Add(before, hn::Sub(at.column, bias))), du, numbers);
   if (count == kLanes) {
     HWY_FENCE;  // or the compiler takes the numbers out of the vector lane by lane, which is slower
     for (int i = 0; i < kLanes; i += 2) {
@@ -208,6 +210,19 @@ struct Walk {
       : s_change(lines.s.step * lines.depth.base - lines.s.base * lines.depth.step),
         t_change(lines.t.step * lines.depth.base - lines.t.base * lines.depth.step) {}
   HWY_INLINE Direction Way() const { return {s_change < 0, t_change < 0}; }
+  // Whether neither end leaves the texture, and so no pixel between does: a margin makes up for rounding.
+  HWY_INLINE bool Inside(const RunLines& lines, const SurfaceRuns& runs, int count) const {
+    constexpr float kMargin = 1.0f / 64;
+    const float end = static_cast<float>(count - 1);
+    const float first_z = 1.0f / lines.depth.base,
+                last_z = 1.0f / (lines.depth.base + end * lines.depth.step);
+    const float first_s = lines.s.base * first_z, last_s = (lines.s.base + end * lines.s.step) * last_z;
+    const float first_t = lines.t.base * first_z, last_t = (lines.t.base + end * lines.t.step) * last_z;
+    const float most_s = static_cast<float>(runs.last_s) + 1 - kMargin;
+    const float most_t = static_cast<float>(runs.last_t) + 1 - kMargin;
+    return first_s > kMargin && last_s > kMargin && first_t > kMargin && last_t > kMargin &&
+           first_s < most_s && last_s < most_s && first_t < most_t && last_t < most_t;
+  }
   // Rows of texels under a vector of pixels where they are farthest apart; 0: more than four, or too long.
   HWY_INLINE int RowsNeeded(const RunLines& lines, int count) const {
     const float last = lines.depth.base + static_cast<float>(count - 1) * lines.depth.step;
@@ -221,7 +236,7 @@ struct Walk {
   }
 };
 
-template <int kRows, typename Texel>
+template <int kRows, bool kInside, typename Texel>
 HWY_INLINE void DrawVector(const RunLines& lines, const Sampler& sampler, Direction direction,
                            const Texel* texels, int i, int count, Texel* out, float* out_depth) {
   const DF d;
@@ -233,31 +248,37 @@ HWY_INLINE void DrawVector(const RunLines& lines, const Sampler& sampler, Direct
       StoreFirst(d, depth, out_depth + i, count);
   }
   const VF z = hn::Div(hn::Set(d, 1.0f), hn::Max(depth, hn::Set(d, kFarthest)));
-  const TexelLanes at = sampler.At(hn::Mul(lines.s.Lanes(i), z), hn::Mul(lines.t.Lanes(i), z));
+  const TexelLanes at = sampler.At<kInside>(hn::Mul(lines.s.Lanes(i), z), hn::Mul(lines.t.Lanes(i), z));
   Fetch<kRows>(texels, sampler.rows, direction, at, out + i, count);
 }
 
-template <int kRows, typename Texel>
+template <int kRows, bool kInside, typename Texel>
 HWY_INLINE void DrawVectors(const RunLines& lines, const Sampler& sampler, Direction direction,
                             const Texel* texels, int count, Texel* out, float* out_depth) {
   const int lanes = static_cast<int>(hn::Lanes(DF()));
   int i = 0;
   for (; i + lanes <= count; i += lanes)
-    DrawVector<kRows>(lines, sampler, direction, texels, i, lanes, out, out_depth);
-  if (i < count) DrawVector<kRows>(lines, sampler, direction, texels, i, count - i, out, out_depth);
+    DrawVector<kRows, kInside>(lines, sampler, direction, texels, i, lanes, out, out_depth);
+  if (i < count) DrawVector<kRows, kInside>(lines, sampler, direction, texels, i, count - i, out, out_depth);
 }
 
 template <typename Texel>
-HWY_INLINE void DrawEveryPixel(const RunLines& lines, const Sampler& sampler, const Texel* texels, int count,
-                               Texel* out, float* out_depth) {
+HWY_INLINE void DrawEveryPixel(const RunLines& lines, const Sampler& sampler, const SurfaceRuns& runs,
+                               int count, Texel* out, float* out_depth) {
   const Walk walk(lines);
+  const Texel* texels = static_cast<const Texel*>(runs.texels);
   const int rows = walk.RowsNeeded(lines, count);
-  if (rows == 2)
-    DrawVectors<2>(lines, sampler, walk.Way(), texels, count, out, out_depth);
+  const bool inside = rows > 0 && walk.Inside(lines, runs, count);
+  if (rows == 2 && inside)
+    DrawVectors<2, true>(lines, sampler, walk.Way(), texels, count, out, out_depth);
+  else if (rows == 2)
+    DrawVectors<2, false>(lines, sampler, walk.Way(), texels, count, out, out_depth);
+  else if (rows == 4 && inside)
+    DrawVectors<4, true>(lines, sampler, walk.Way(), texels, count, out, out_depth);
   else if (rows == 4)
-    DrawVectors<4>(lines, sampler, walk.Way(), texels, count, out, out_depth);
+    DrawVectors<4, false>(lines, sampler, walk.Way(), texels, count, out, out_depth);
   else
-    DrawVectors<0>(lines, sampler, walk.Way(), texels, count, out, out_depth);
+    DrawVectors<0, false>(lines, sampler, walk.Way(), texels, count, out, out_depth);
 }
 
 HWY_INLINE void FillDepth(const Line& line, int count, float* out) {
@@ -275,8 +296,8 @@ HWY_INLINE void DrawAffine(const Line& s, const Line& t, const Sampler& sampler,
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int i = 0; i < count; i += lanes) {
     const int now = count - i < lanes ? count - i : lanes;
-    Fetch<4>(texels, sampler.rows, {s.step < 0, t.step < 0}, sampler.At(s.Lanes(i), t.Lanes(i)), out + i,
-             now);
+    Fetch<4>(texels, sampler.rows, {s.step < 0, t.step < 0}, sampler.At<false>(s.Lanes(i), t.Lanes(i)),
+             out + i, now);
   }
 }
 
@@ -322,7 +343,7 @@ HWY_INLINE void DrawSurfaceRuns(const SurfaceRuns& runs, const KernelTarget& tar
     lines.s.base = At(runs.s, run);
     lines.t.base = At(runs.t, run);
     if (runs.divide == KernelDivide::kEveryPixel) {
-      DrawEveryPixel(lines, sampler, texels, run.count, out, out_depth);
+      DrawEveryPixel(lines, sampler, runs, run.count, out, out_depth);
       continue;
     }
     if (out_depth != nullptr) FillDepth(lines.depth, run.count, out_depth);
@@ -340,15 +361,6 @@ void DrawSurfaceRunsU32(const SurfaceRuns& runs, const KernelTarget& target) {
   DrawSurfaceRuns<uint32_t>(runs, target);
 }
 
-// Down to the next whole number, without Highway's care for numbers beyond 32 bits.
-HWY_INLINE VI FloorToInt(VF v) {
-  const DF d;
-  const DI di;
-  const VI whole = hn::ConvertTo(di, v);
-  const auto above = hn::RebindMask(di, hn::Gt(hn::ConvertTo(d, whole), v));
-  return hn::Add(whole, hn::VecFromMask(di, above));
-}
-
 // A texture that repeats: width and height are powers of two.
 template <typename Texel>
 struct Repeating {
@@ -357,8 +369,9 @@ struct Repeating {
 
   HWY_INLINE void Fetch(VF s, VF t, Texel* out, int count) const {
     const DI di;
-    const TexelLanes at{hn::And(FloorToInt(s), hn::Set(di, width - 1)),
-                        hn::And(FloorToInt(t), hn::Set(di, height - 1))};
+    const VI bias = hn::Set(di, kBias);
+    const TexelLanes at{hn::Or(hn::And(FloorBiased(s), hn::Set(di, width - 1)), bias),
+                        hn::Or(hn::And(FloorBiased(t), hn::Set(di, height - 1)), bias)};
     const size_t last = hn::Lanes(di) - 1;
     const Direction direction{hn::ExtractLane(at.column, last) < hn::GetLane(at.column),
                               hn::ExtractLane(at.row, last) < hn::GetLane(at.row)};
