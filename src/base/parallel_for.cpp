@@ -11,6 +11,7 @@
 
 #ifdef TEMBLOR_HAVE_ONETBB
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #endif
@@ -94,7 +95,8 @@ struct StdThreadBackend final : Jobs::Pool {
 
 #ifdef TEMBLOR_HAVE_ONETBB
 struct OneTbbBackend final : Jobs::Pool {
-  explicit OneTbbBackend(int threads) : arena(threads) {}
+  // oneTBB starts no more workers than there are cores, and says so on standard error when asked to.
+  explicit OneTbbBackend(int threads) : arena(std::min(threads, oneapi::tbb::info::default_concurrency())) {}
   void run(std::size_t count, FunctionRef<void(std::size_t)> body) override {
     arena.execute([&] {
       oneapi::tbb::parallel_for(

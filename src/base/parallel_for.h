@@ -9,6 +9,7 @@
 
 namespace temblor::base {
 
+// kOneTbb runs on as many cores as there are, whatever is asked; kStdThread starts what is asked.
 enum class JobBackend { kOneTbb, kStdThread };
 
 // A fixed number of workers. Not itself thread-safe: one parallel_for at a time.

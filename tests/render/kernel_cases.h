@@ -106,6 +106,14 @@ inline CornerValues one_whole_texel(Random& random, int size) {
   return {texel, texel, texel};
 }
 
+// The same coordinate everywhere, close to one of the texture's ends: rounding alone decides whether a pixel
+// still lies in it.
+inline CornerValues beside_an_end(Random& random, int size) {
+  const double end = random.chance(0.5) ? 0 : size, away = random.log_uniform(1e-5, 0.5);
+  const double texel = random.chance(0.8) == (end == 0) ? end + away : end - away;
+  return {texel, texel, texel};
+}
+
 // The plane that a perspective kernel wants: texels times 1/z.
 inline render::KernelPlane plane_over_z(const CornerValues& texels, const CornerValues& depth) {
   return plane_through({texels[0] * depth[0], texels[1] * depth[1], texels[2] * depth[2]});

@@ -50,9 +50,10 @@ struct SurfaceCase {
     const bool anywhere = walks == Walks::kAnywhere;
     const CornerValues depth = random_depth(random, anywhere);
     const auto coordinate = [&](int texels) {
-      const CornerValues corners = anywhere && random.chance(0.25)
-                                       ? one_whole_texel(random, texels)
-                                       : random_texels(random, texels, anywhere ? 1e5 : 1000);
+      const CornerValues corners = !anywhere             ? random_texels(random, texels, 1000)
+                                   : random.chance(0.2)  ? one_whole_texel(random, texels)
+                                   : random.chance(0.25) ? beside_an_end(random, texels)
+                                                         : random_texels(random, texels, 1e5);
       return divide == KernelDivide::kNone ? plane_through(corners) : plane_over_z(corners, depth);
     };
     const render::KernelPlane s = coordinate(width), t = coordinate(height);
