@@ -5,7 +5,6 @@ find_package(fmt REQUIRED)
 find_package(glm REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(spdlog REQUIRED)
 # Debian's libzip-config.cmake wants the command-line tools' package as well; pkg-config does not.
 pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)

@@ -4,7 +4,7 @@
 set -euo pipefail
 
 packages=(g++ make cmake ninja-build pkgconf
-  libtbb-dev libhwy-dev libglm-dev libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev libspng-dev libzip-dev
+  libtbb-dev libhwy-dev libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev libspng-dev libzip-dev
   libgtest-dev libgmock-dev libbenchmark-dev)
 # One version of each, so that every machine formats and warns alike. Without them `make test` skips what needs them.
 checkers=(git clang-16 libclang-rt-16-dev clang-format-14 clang-tidy-14)
