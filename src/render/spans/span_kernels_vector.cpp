@@ -155,29 +155,41 @@ HWY_INLINE bool FetchWindow(const Texel* HWY_RESTRICT texels, const Rows& rows, 
   return true;
 }
 
-// Texels one by one, their numbers two to a load.
+HWY_INLINE hn::Vec<DU> GatherTexels(const uint32_t* texels, VI numbers) {
+  return hn::GatherIndex(DU(), texels, numbers);
+}
+// Three more bytes come along, and are cut off again.
+HWY_INLINE hn::Vec<DU> GatherTexels(const uint8_t* texels, VI numbers) {
+  return hn::And(hn::GatherOffset(DU(), reinterpret_cast<const uint32_t*>(texels), numbers),
+                 hn::Set(DU(), 255));
+}
+
+// Texels one by one, their numbers two to a load; the last few of a span by a gather, which is slower for
+// many but spares a loop whose end cannot be foreseen.
 template <typename Texel>
 HWY_INLINE void FetchScattered(const Texel* HWY_RESTRICT texels, const Rows& rows, const TexelLanes& at,
                                Texel* HWY_RESTRICT out, int count) {
   const DI di;
   const DU du;
   constexpr int kLanes = static_cast<int>(hn::MaxLanes(DU()));
-  HWY_ALIGN uint32_t numbers[kMostLanes];
   const VI bias = hn::Set(di, kBias);
   const VI before = hn::Mul(hn::Sub(at.row, bias), hn::Set(di, rows.texels_a_row));
-  hn::Store(hn::BitCast(du, hn::Add(before, hn::Sub(at.column, bias))), du, numbers);
-  if (count == kLanes) {
-    HWY_FENCE;  // or the compiler takes the numbers out of the vector lane by lane, which is slower
-    for (int i = 0; i < kLanes; i += 2) {
-      uint64_t two;
-      __builtin_memcpy(&two, numbers + i, sizeof(two));
-      out[i] = texels[two & 0xffffffffu];
-      out[i + 1] = texels[two >> 32];
-      HWY_FENCE;
-    }
+  const VI positions = hn::Add(before, hn::Sub(at.column, bias));
+  if (count < kLanes) {
+    const VI first_ones = hn::IfThenElseZero(hn::FirstN(di, static_cast<size_t>(count)), positions);
+    StoreTexels(GatherTexels(texels, first_ones), out, count);
     return;
   }
-  for (int i = 0; i < kLanes && i < count; ++i) out[i] = texels[numbers[i]];
+  HWY_ALIGN uint32_t numbers[kMostLanes];
+  hn::Store(hn::BitCast(du, positions), du, numbers);
+  HWY_FENCE;  // or the compiler takes the numbers out of the vector lane by lane, which is slower
+  for (int i = 0; i < kLanes; i += 2) {
+    uint64_t two;
+    __builtin_memcpy(&two, numbers + i, sizeof(two));
+    out[i] = texels[two & 0xffffffffu];
+    out[i + 1] = texels[two >> 32];
+    HWY_FENCE;
+  }
 }
 
 // kRows: how many rows of texels a vector of pixels is expected to need; 0: more than a window holds.
