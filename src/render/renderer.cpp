@@ -141,7 +141,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& settings, FrameB
   clock.end(Stage::kSpans);
 
   if (settings.show != Show::kPicture)
-    draw_shown(settings.show, {view, s.edges, s.spans, s.items}, s.palette, io_frame);
+    draw_shown(settings.show, {*scene.level, view, s.edges, s.spans, s.items}, s.palette, io_frame);
   s.width = width;
   s.height = height;
   stats.faces_in_pvs = visible.faces_in_pvs;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace temblor::render {
 
@@ -100,6 +101,23 @@ void draw_edges(const EdgeTable& table, Painter& painter, const FrameBuffer& fra
   }
 }
 
+// What is seen, in the colour of the first leaf that its face belongs to: the pieces that the potentially
+// visible set is made of.
+void draw_leafs(const ShownFrame& frame, Painter& painter, const FrameBuffer& io_frame) {
+  const world::Level& level = frame.level;
+  std::vector<std::uint32_t> leaf_of_face(level.faces.size(), 0);
+  for (std::size_t leaf = level.leafs.size(); leaf-- > 1;) {
+    const world::Leaf& marked = level.leafs[leaf];
+    for (std::uint32_t i = 0; i < marked.marked_face_count; ++i)
+      leaf_of_face[base::to_size(level.marked_faces[marked.first_marked_face + i])] =
+          static_cast<std::uint32_t>(leaf);
+  }
+  fill_spans(frame.spans, painter, io_frame, [&](std::uint32_t item, const SpanRun&) {
+    const ScreenSurface& surface = frame.edges.surfaces[base::to_size(frame.items.items[item].surface)];
+    return item == 0 ? formats::Rgb{} : colour_of(leaf_of_face[base::to_size(surface.face)]);
+  });
+}
+
 // Nearer is brighter; the scale is that of the frame's own depths.
 void draw_depth(Painter& painter, FrameBuffer& io_frame) {
   const float nothing = std::numeric_limits<float>::lowest();
@@ -128,8 +146,9 @@ void draw_shown(Show show, const ShownFrame& frame, const formats::Palette& pale
   switch (show) {
     case Show::kPicture:
       return;
-    case Show::kFaces:
     case Show::kPvs:
+      return draw_leafs(frame, painter, io_frame);
+    case Show::kFaces:
       return fill_spans(frame.spans, painter, io_frame, [&](std::uint32_t item, const SpanRun&) {
         const ScreenSurface& surface = surface_of(item);
         return item == 0 ? formats::Rgb{}

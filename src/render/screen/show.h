@@ -11,6 +11,7 @@ namespace temblor::render {
 
 // What the views of `--show` are made from: the last frame's tables.
 struct ShownFrame {
+  const world::Level& level;
   const ViewFrame& view;
   const EdgeTable& edges;
   const SpanTable& spans;
