@@ -10,7 +10,7 @@ constexpr std::int32_t kSurfaceSide = 256;
 constexpr std::size_t kPixels = 200'000;
 
 // A wall seen at a slant: all coordinates and depth change in both directions of the screen.
-render::SurfaceRuns slanted_wall(const std::vector<render::KernelRun>& runs, const void* texels,
+render::SurfaceRuns slanted_wall(const std::vector<render::SpanRun>& runs, const void* texels,
                                  render::KernelDivide divide) {
   const render::KernelPlane depth = {0.002, 1e-6, 2e-7};
   const render::KernelPlane s = {0.01, 1.8e-4, 1e-6}, t = {0.01, 2e-6, 2.6e-4};
@@ -20,7 +20,7 @@ render::SurfaceRuns slanted_wall(const std::vector<render::KernelRun>& runs, con
 
 template <typename Texel, auto DrawRuns, render::KernelDivide Divide>
 void draw_runs(benchmark::State& state) {
-  const std::vector<render::KernelRun> runs = random_runs(static_cast<int>(state.range(0)), kPixels);
+  const std::vector<render::SpanRun> runs = random_runs(static_cast<int>(state.range(0)), kPixels);
   // Padded as blocks are, for wide loads at the end.
   const std::vector<Texel> texels(kSurfaceSide * kSurfaceSide + 64, Texel{7});
   constexpr std::size_t kScreenPixels = std::size_t{kScreenWidth} * kScreenHeight;

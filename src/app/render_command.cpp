@@ -7,6 +7,7 @@
 #include "app/picture_file.h"
 #include "app/progress.h"
 #include "app/viewpoints.h"
+#include "math/angles.h"
 
 namespace temblor::app {
 namespace {
@@ -38,8 +39,11 @@ render::Camera first_camera(const RenderOptions& options, const world::Level& le
   const Viewpoint viewpoint =
       from_above ? Viewpoint{"", center_of(level), math::Vec3(90.0f, 0.0f, 0.0f)} : start_viewpoint(level);
   render::Camera camera;
-  camera.origin_world = options.position_world.value_or(viewpoint.eye_world);
   camera.angles_deg = options.angles_deg.value_or(viewpoint.angles_deg);
+  // Seen in parallel, the whole level lies in front of an eye that stands back by the level's own size.
+  const math::Vec3 back(from_above ? math::basis_from_angles(camera.angles_deg).forward * size_of(level)
+                                   : math::Vec3d(0.0));
+  camera.origin_world = options.position_world.value_or(viewpoint.eye_world - back);
   camera.fov_deg = options.frame.fov_deg;
   camera.projection = options.projection;
   return camera;

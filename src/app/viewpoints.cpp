@@ -37,6 +37,11 @@ math::Vec3 center_of(const world::Level& level) {
   return (bounds.mins + bounds.maxs) * 0.5f;
 }
 
+double size_of(const world::Level& level) {
+  const math::Bounds& bounds = level.world().bounds;
+  return glm::length(math::Vec3d(bounds.maxs) - math::Vec3d(bounds.mins));
+}
+
 Viewpoint start_viewpoint(const world::Level& level) {
   for (const std::string_view wanted : kViewpointClasses)
     for (const formats::Entity& entity : level.entities)

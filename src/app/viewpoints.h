@@ -25,5 +25,7 @@ Viewpoint start_viewpoint(const world::Level& level);
 std::vector<Viewpoint> all_viewpoints(const world::Level& level);
 
 math::Vec3 center_of(const world::Level& level);
+// The diagonal of its bounds.
+double size_of(const world::Level& level);
 
 }  // namespace temblor::app

@@ -62,13 +62,6 @@ class ArenaVector {
       grow(size_ * 2 + 16);
     room_[size_++] = value;
   }
-  // Room for `count` more without growth; write through end_pointer(), then advance().
-  void reserve_more(std::size_t count) {
-    if (size_ + count > room_.size()) [[unlikely]]
-      grow((size_ + count) * 2);
-  }
-  T* end_pointer() { return room_.data() + size_; }
-  void advance(std::size_t count) { size_ += count; }
   void pop_back() { --size_; }
   void clear() { size_ = 0; }
   void shrink(std::size_t size) { size_ = size; }  // size <= size()

@@ -32,7 +32,7 @@ namespace temblor::formats {
 
 constexpr float kBspMaxCoordinate = 16777216.0f;  // 2^24: sums and products stay finite, integers exact
 constexpr std::uint32_t kBspMaxTextureSize = 16384;
-constexpr std::uint32_t kBspMaxFaceEdges = 4096;  // known levels stay below 100
+constexpr std::uint32_t kBspMaxFaceEdges = 512;  // known levels stay below 100
 constexpr std::int32_t kBspLowestContents = -16;
 constexpr std::uint32_t kBspMaxTreeDepth = 2048;  // known levels stay below 200
 

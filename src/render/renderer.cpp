@@ -64,11 +64,19 @@ int choose_band_rows(const Settings& settings, int width, int height, PixelForma
 void count_seen(const EdgeTable& edges, const SpanTable& spans, const DrawItems& items,
                 FrameStats& io_stats) {
   for (const Band& band : spans.bands) io_stats.spans += static_cast<std::uint32_t>(band.runs.size());
-  for (std::size_t i = 1; i < edges.surfaces.size(); ++i) {
-    const ScreenSurface& surface = edges.surfaces[i];
+  const auto is_seen = [&](const ScreenSurface& surface) {
     const auto own = items.items.subspan(surface.first_item, std::size_t{surface.tiles.s} * surface.tiles.t);
-    io_stats.faces_seen += std::any_of(own.begin(), own.end(),
-                                       [](const DrawItem& item) { return item.kind != ItemKind::kUnused; });
+    return std::any_of(own.begin(), own.end(),
+                       [](const DrawItem& item) { return item.kind != ItemKind::kUnused; });
+  };
+  const ScreenSurface* last_seen = nullptr;
+  for (const ScreenSurface& surface : edges.surfaces.subspan(1)) {
+    if (!is_seen(surface)) continue;
+    // The pieces of a brush model's face were entered one after another, and count once.
+    const bool again =
+        last_seen != nullptr && last_seen->instance == surface.instance && last_seen->face == surface.face;
+    io_stats.faces_seen += !again;
+    last_seen = &surface;
   }
 }
 
@@ -79,10 +87,10 @@ struct Renderer::State {
   BuildTables build_tables;
   std::optional<base::Jobs> jobs;
   base::JobBackend job_backend{};
-  base::Arena arena;
+  base::Arena arena, piece_arena;
   std::vector<base::Arena> band_arenas, job_arenas;
   std::vector<std::uint8_t> pvs_row;
-  const world::Level* level = nullptr;
+  std::shared_ptr<const world::LevelIdentity> level;
   LevelTables level_tables;
   SurfaceCache cache;
 
@@ -99,8 +107,8 @@ struct Renderer::State {
     job_backend = settings.job_backend;
   }
   void follow_level(const world::Level& now) {
-    if (level == &now) return;
-    level = &now;
+    if (level == now.identity) return;
+    level = now.identity;
     level_tables = make_level_tables(now);
   }
 };
@@ -114,7 +122,10 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-FrameStats Renderer::render(const Scene& scene, const Settings& settings, FrameBuffer& io_frame) {
+FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuffer& io_frame) {
+  CHECK(scene.level != nullptr);
+  Settings settings = asked;
+  settings.fill_depth |= settings.show == Show::kDepth;
   State& s = *state_;
   FrameStats stats;
   s.follow_settings(settings);
@@ -130,7 +141,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& settings, FrameB
   const VisibleFaces visible =
       find_visible_faces(*scene.level, s.level_tables, view, settings.use_pvs, s.arena, s.pvs_row);
   clock.end(Stage::kVisibility);
-  s.edges = emit_edges(scene, view, visible, s.arena);
+  s.edges = emit_edges(scene, view, visible, s.arena, s.piece_arena);
   clock.end(Stage::kEdges);
   s.spans = scan_edges(s.edges, scene, view, band_rows, *s.jobs, s.arena, s.band_arenas);
   clock.end(Stage::kScan);

@@ -34,7 +34,7 @@ struct Scene {
   Camera camera;
   std::span<const BrushModelInstance> brush_models;
   double time_s = 0;
-  world::LightStyleValues light_styles{};
+  world::LightStyleValues light_styles = world::light_as_stored();
 };
 
 }  // namespace temblor::render

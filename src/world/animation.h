@@ -18,6 +18,11 @@ TextureIndex animated_texture(const Level& level, TextureIndex texture, double t
 constexpr std::size_t kLightStyles = 64;
 // 256 = the light as stored ('m' gives 264, as the original has it).
 using LightStyleValues = std::array<std::uint16_t, kLightStyles>;
+constexpr LightStyleValues light_as_stored() {
+  LightStyleValues values{};
+  values.fill(256);
+  return values;
+}
 
 // Patterns of letters, 10 a second: 'a' dark, 'm' normal, 'z' about double. Empty: constantly 256.
 using LightStylePatterns = std::array<std::string, kLightStyles>;

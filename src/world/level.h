@@ -141,7 +141,12 @@ struct Clipnode {
   std::array<std::int32_t, 2> children;  // negative: contents
 };
 
+// Tells levels apart, whatever their addresses: whoever works something out for a level keeps a copy of its
+// identity, and no later level can have the same.
+struct LevelIdentity {};
+
 struct Level {
+  std::shared_ptr<const LevelIdentity> identity = std::make_shared<const LevelIdentity>();
   std::string name;
   std::vector<formats::Entity> entities;
   std::vector<Plane> planes;

@@ -28,7 +28,7 @@ struct Canvas {
   render::KernelTarget target(bool with_depth = true) {
     return {pixels.data(), with_depth ? depth.data() : nullptr, kCanvasWidth};
   }
-  static std::size_t position(const render::KernelRun& run, int i) {
+  static std::size_t position(const render::SpanRun& run, int i) {
     return std::size_t{run.y} * kCanvasWidth + run.x + static_cast<std::size_t>(i);
   }
   // Bit for bit.
@@ -59,8 +59,8 @@ inline std::uint32_t texel_name(int column, int row) {
 }
 
 // One in each row, of 1 to 300 pixels.
-inline std::vector<render::KernelRun> random_runs(Random& random) {
-  std::vector<render::KernelRun> runs;
+inline std::vector<render::SpanRun> random_runs(Random& random) {
+  std::vector<render::SpanRun> runs;
   for (int row = 0; row < kCanvasRows; ++row) {
     const std::size_t count = 1 + random.below(random.chance(0.5) ? 40 : 300);
     const std::size_t x = random.below(kCanvasWidth - count + 1);
@@ -133,7 +133,7 @@ constexpr double kRounding = 0x1p-24;  // of one float operation, relative
 struct RunValue {
   double value, tolerance;
 
-  RunValue(const render::KernelPlane& plane, const render::KernelRun& run, int i)
+  RunValue(const render::KernelPlane& plane, const render::SpanRun& run, int i)
       : value(value_at(plane, run.x + i, run.y)),
         tolerance(4 * kRounding * (std::abs(value_at(plane, run.x, run.y)) + i * std::abs(plane.dx))) {}
 };

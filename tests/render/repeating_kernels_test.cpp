@@ -12,9 +12,9 @@
 namespace temblor::test {
 namespace {
 
-using render::KernelRun;
 using render::RepeatRuns;
 using render::SkyRuns;
+using render::SpanRun;
 
 // The sine of the kernels is two bent parabolas.
 constexpr double kSineError = 0.0012;
@@ -41,7 +41,7 @@ enum class Walks { kAnywhere, kOrdinary };
 
 struct RepeatCase {
   int width, height;
-  std::vector<KernelRun> runs;
+  std::vector<SpanRun> runs;
   RepeatRuns job{};
 
   RepeatCase(Random& random, Walks walks) : width(1 << random.below(9)), height(1 << random.below(9)) {
@@ -71,7 +71,7 @@ struct RepeatCase {
 
 struct SkyCase {
   int width, height;
-  std::vector<KernelRun> runs;
+  std::vector<SpanRun> runs;
   SkyRuns job{};
 
   explicit SkyCase(Random& random) : width(1 << random.below(9)), height(1 << random.below(9)) {
@@ -165,9 +165,9 @@ TYPED_TEST(RepeatingSpans, TouchNoPixelBesideTheirRuns) {
     Canvas<TypeParam> still, heavens;
     Kernels<TypeParam>::repeat_plain(repeat.job, still.target());
     Kernels<TypeParam>::sky_plain(sky.job, heavens.target());
-    const auto expect_only = [](const std::vector<KernelRun>& runs, const Canvas<TypeParam>& drawn) {
+    const auto expect_only = [](const std::vector<SpanRun>& runs, const Canvas<TypeParam>& drawn) {
       Canvas<TypeParam> expected;
-      for (const KernelRun& run : runs)
+      for (const SpanRun& run : runs)
         for (int i = 0; i < run.count; ++i) {
           const std::size_t pixel = drawn.position(run, i);
           ASSERT_NE(drawn.depth[pixel], Canvas<TypeParam>::kUntouchedDepth);
@@ -212,7 +212,7 @@ Coordinate swayed(const Coordinate& moved, const Coordinate& by, const RepeatRun
                      4 * kRounding * (std::abs(moved.value) + 2 * amplitude)};
 }
 
-TexelPlace defined_place(const RepeatRuns& job, const KernelRun& run, int i) {
+TexelPlace defined_place(const RepeatRuns& job, const SpanRun& run, int i) {
   const RunValue depth(job.depth, run, i), s_over_z(job.s, run, i), t_over_z(job.t, run, i);
   const auto coordinate = [&](const RunValue& over_z) {
     return job.divide ? quotient(over_z, depth) : Coordinate{over_z.value, over_z.tolerance};
@@ -230,7 +230,7 @@ TEST(RepeatingSpanDefinition, IsTheTexelAtTheQuotientSwayedByTheOther) {
     repeat.job.texels = names.data();
     Canvas<std::uint32_t> drawn;
     render::draw_repeat_runs_u32_plain(repeat.job, drawn.target());
-    for (const KernelRun& run : repeat.runs)
+    for (const SpanRun& run : repeat.runs)
       for (int i = 0; i < run.count; ++i) {
         const std::size_t pixel = drawn.position(run, i);
         const TexelPlace place = defined_place(repeat.job, run, i);
@@ -250,7 +250,7 @@ TEST(RepeatingSpanDefinition, IsTheTexelAtTheQuotientSwayedByTheOther) {
 struct SkyDirection {
   double x, y, tolerance;
 
-  SkyDirection(const SkyRuns& job, const KernelRun& run, int i) {
+  SkyDirection(const SkyRuns& job, const SpanRun& run, int i) {
     double ray[3], error = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const double at_run = job.forward[axis] + job.right[axis] * run.x + job.down[axis] * run.y;
@@ -294,7 +294,7 @@ TEST(SkySpanDefinition, IsTheCloudOrBehindClearOnesTheBackground) {
     sky.job.back = back.data();
     Canvas<std::uint32_t> drawn;
     render::draw_sky_runs_u32_plain(sky.job, drawn.target());
-    for (const KernelRun& run : sky.runs)
+    for (const SpanRun& run : sky.runs)
       for (int i = 0; i < run.count; ++i) {
         const std::uint32_t shown = drawn.pixels[drawn.position(run, i)];
         const SkyDirection direction(sky.job, run, i);

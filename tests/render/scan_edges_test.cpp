@@ -147,9 +147,9 @@ class HandMadeTable {
       edge.last_row = static_cast<std::int32_t>(std::min(view_.height - 1.0, std::ceil(bottom.y) - 1));
       if (edge.first_row > edge.last_row) continue;
       edge.step = (bottom.x - top.x) / (bottom.y - top.y);
-      edge.base = top.x - top.y * edge.step;
+      edge.x_first = top.x + (edge.first_row - top.y) * edge.step;
       // The polygon lies right of an edge when its middle does.
-      (edge.base + edge.step * middle.y < middle.x ? edge.leading : edge.trailing) = surface;
+      (top.x + edge.step * (middle.y - top.y) < middle.x ? edge.leading : edge.trailing) = surface;
       edges_.push_back(edge);
     }
   }

@@ -11,24 +11,32 @@ namespace temblor::test {
 namespace {
 
 using render::KernelDivide;
-using render::KernelRun;
 using render::KernelTarget;
+using render::SpanRun;
 using render::SurfaceRuns;
 
 constexpr KernelDivide kDivides[] = {KernelDivide::kEveryPixel, KernelDivide::kEvery16, KernelDivide::kNone};
 constexpr int kAffinePixels = 16;
 
-void draw_plain(const SurfaceRuns& job, Canvas<std::uint8_t>& io_canvas, bool with_depth = true) {
-  render::draw_surface_runs_u8_plain(job, io_canvas.target(with_depth));
+template <typename Texel>
+struct Kernels;
+template <>
+struct Kernels<std::uint8_t> {
+  static constexpr auto plain = render::draw_surface_runs_u8_plain;
+  static constexpr auto vector = render::draw_surface_runs_u8_vector;
+};
+template <>
+struct Kernels<std::uint32_t> {
+  static constexpr auto plain = render::draw_surface_runs_u32_plain;
+  static constexpr auto vector = render::draw_surface_runs_u32_vector;
+};
+template <typename Texel>
+void draw_plain(const SurfaceRuns& job, Canvas<Texel>& io_canvas, bool with_depth = true) {
+  Kernels<Texel>::plain(job, io_canvas.target(with_depth));
 }
-void draw_plain(const SurfaceRuns& job, Canvas<std::uint32_t>& io_canvas, bool with_depth = true) {
-  render::draw_surface_runs_u32_plain(job, io_canvas.target(with_depth));
-}
-void draw_vector(const SurfaceRuns& job, Canvas<std::uint8_t>& io_canvas, bool with_depth = true) {
-  render::draw_surface_runs_u8_vector(job, io_canvas.target(with_depth));
-}
-void draw_vector(const SurfaceRuns& job, Canvas<std::uint32_t>& io_canvas, bool with_depth = true) {
-  render::draw_surface_runs_u32_vector(job, io_canvas.target(with_depth));
+template <typename Texel>
+void draw_vector(const SurfaceRuns& job, Canvas<Texel>& io_canvas, bool with_depth = true) {
+  Kernels<Texel>::vector(job, io_canvas.target(with_depth));
 }
 
 enum class Walks {
@@ -39,7 +47,7 @@ enum class Walks {
 // A texture's size and the spans drawn from it; texels are the caller's.
 struct SurfaceCase {
   int width, height;
-  std::vector<KernelRun> runs;
+  std::vector<SpanRun> runs;
   SurfaceRuns job{};
 
   SurfaceCase(Random& random, KernelDivide divide, Walks walks) {
@@ -57,8 +65,14 @@ struct SurfaceCase {
       return divide == KernelDivide::kNone ? plane_through(corners) : plane_over_z(corners, depth);
     };
     const render::KernelPlane s = coordinate(width), t = coordinate(height);
-    job = {plane_through(depth), s,           t,          divide, nullptr, width, width - 1,
-           height - 1,           runs.data(), runs.size()};
+    job = {plane_through(depth), s, t, divide, nullptr, 0, 0, 0, runs.data(), runs.size()};
+    set_size(width, height);
+  }
+  void set_size(int new_width, int new_height) {
+    width = job.texels_a_row = new_width;
+    height = new_height;
+    job.last_s = width - 1;
+    job.last_t = height - 1;
   }
   SurfaceCase(const SurfaceCase&) = delete;
   SurfaceCase& operator=(const SurfaceCase&) = delete;
@@ -87,6 +101,43 @@ TYPED_TEST(SurfaceSpans, VectorEqualsPlain) {
   });
 }
 
+// A wall that leads away from right before the eye, and all along it close to an end of the texture: nowhere
+// is rounding worse, and what it carries past the end must still show the last texel.
+TYPED_TEST(SurfaceSpans, VectorEqualsPlainAlongTheTexturesEnds) {
+  constexpr std::uint16_t kWidth = 1920;
+  constexpr int kSize = 256;
+  constexpr SpanRun kRow{0, 0, kWidth};
+  Random random(1);
+  const std::vector<TypeParam> texels = make_noise<TypeParam>(kSize, kSize, random);
+  for_each_vector_target([&] {
+    std::vector<TypeParam> plain(kWidth), vector(kWidth);
+    for (int i = 0; i < effort(1500, 60); ++i) {
+      const double near = random.log_uniform(1, 16), far = random.log_uniform(1.0 / 8192, 1.0 / 512);
+      const bool recedes = random.chance(0.5);
+      const double depth = recedes ? near : far, depth_step = (recedes ? far - near : near - far) / kWidth;
+      const auto beside_end = [&] {
+        const double away = random.log_uniform(1e-3, 0.1), texel = random.chance(0.5) ? away : kSize - away;
+        return render::KernelPlane{texel * depth, texel * depth_step, 0};
+      };
+      const render::KernelPlane s = beside_end(), t = beside_end();
+      const SurfaceRuns job{{depth, depth_step, 0},
+                            s,
+                            t,
+                            KernelDivide::kEveryPixel,
+                            texels.data(),
+                            kSize,
+                            kSize - 1,
+                            kSize - 1,
+                            &kRow,
+                            1};
+      Kernels<TypeParam>::plain(job, {plain.data(), nullptr, kWidth});
+      Kernels<TypeParam>::vector(job, {vector.data(), nullptr, kWidth});
+      ASSERT_TRUE(plain == vector) << fmt::format("depth {}, step {}, s {}, t {}", depth, depth_step,
+                                                  s.at_origin / depth, t.at_origin / depth);
+    }
+  });
+}
+
 // Each number of pixels, from every alignment, with and without a neighbour that must stay as it is.
 TYPED_TEST(SurfaceSpans, VectorEqualsPlainForEveryLengthAndPlace) {
   Random random(1);
@@ -97,9 +148,8 @@ TYPED_TEST(SurfaceSpans, VectorEqualsPlainForEveryLengthAndPlace) {
         for (int x = 0; x < 17; x += effort(1, 4)) {
           SurfaceCase surface(random, divide, Walks::kOrdinary);
           surface.job.texels = texels.data();
-          surface.job.texels_a_row = 64;
-          surface.job.last_s = surface.job.last_t = 63;
-          const KernelRun run{static_cast<std::uint16_t>(x), 2, static_cast<std::uint16_t>(count)};
+          surface.set_size(64, 64);
+          const SpanRun run{static_cast<std::uint16_t>(x), 2, static_cast<std::uint16_t>(count)};
           surface.job.runs = &run;
           surface.job.run_count = 1;
           Canvas<TypeParam> plain, vector;
@@ -121,7 +171,7 @@ TYPED_TEST(SurfaceSpans, TouchNoPixelBesideTheirRuns) {
       surface.job.texels = texels.data();
       Canvas<TypeParam> drawn, expected;
       draw_plain(surface.job, drawn);
-      for (const KernelRun& run : surface.runs)
+      for (const SpanRun& run : surface.runs)
         for (int i = 0; i < run.count; ++i) {
           const std::size_t pixel = Canvas<TypeParam>::position(run, i);
           ASSERT_NE(drawn.depth[pixel], Canvas<TypeParam>::kUntouchedDepth);
@@ -148,7 +198,7 @@ TYPED_TEST(SurfaceSpans, ShowTheSameWithoutDepth) {
 }
 
 // What a pixel's coordinate is by the definition of each divide.
-Coordinate defined_coordinate(const SurfaceRuns& job, const render::KernelPlane& plane, const KernelRun& run,
+Coordinate defined_coordinate(const SurfaceRuns& job, const render::KernelPlane& plane, const SpanRun& run,
                               int i) {
   const auto exact = [&](int pixel) {
     return quotient(RunValue(plane, run, pixel), RunValue(job.depth, run, pixel));
@@ -189,7 +239,7 @@ TEST_P(SurfaceSpanDefinition, IsTheTexelAtTheQuotient) {
     surface.job.texels = names.data();
     Canvas<std::uint32_t> drawn;
     draw_plain(surface.job, drawn);
-    for (const KernelRun& run : surface.runs)
+    for (const SpanRun& run : surface.runs)
       for (int i = 0; i < run.count; ++i) {
         const std::uint32_t texel = drawn.pixels[drawn.position(run, i)];
         const Coordinate s = defined_coordinate(surface.job, surface.job.s, run, i);
@@ -211,7 +261,7 @@ TEST_P(SurfaceSpanDefinition, DepthIsThePlane) {
     surface.job.texels = texels.data();
     Canvas<std::uint8_t> drawn;
     draw_plain(surface.job, drawn);
-    for (const KernelRun& run : surface.runs)
+    for (const SpanRun& run : surface.runs)
       for (int i = 0; i < run.count; ++i) {
         const RunValue depth(surface.job.depth, run, i);
         ASSERT_NEAR(static_cast<double>(drawn.depth[drawn.position(run, i)]), depth.value, depth.tolerance)
@@ -233,7 +283,7 @@ TEST_P(SurfaceSpanDefinition, IsTheSameForBothFormats) {
     draw_plain(surface.job, narrow);
     surface.job.texels = words.data();
     draw_plain(surface.job, wide);
-    for (const KernelRun& run : surface.runs)
+    for (const SpanRun& run : surface.runs)
       for (int i = 0; i < run.count; ++i)
         ASSERT_EQ(narrow.pixels[narrow.position(run, i)], wide.pixels[wide.position(run, i)]);
   }

@@ -285,21 +285,23 @@ class Expectation {
   bool find(std::size_t slot, const BlockContents& wanted) {
     const auto block = at(slot);
     if (block == blocks.end() || block->contents != wanted) return false;
+    counts.hits += !block->in_frame;  // pieces of a face share a block, and count once
     use(block);
-    ++counts.hits;
     return true;
   }
   // Whether it must be built.
   bool reserve(std::size_t slot, const BlockContents& wanted, std::size_t bytes_needed) {
-    ++counts.misses;
     const auto block = at(slot);
+    if (block != blocks.end() && block->in_frame && block->contents == wanted) return false;
+    ++counts.misses;
     if (block != blocks.end()) {
-      if (block->in_frame) return block->contents != wanted;
+      if (block->in_frame) return true;
       block->contents = wanted;
       use(block);
       return true;
     }
-    while (bytes() + bytes_needed > budget_bytes_ && !blocks.empty() && !blocks.front().in_frame) {
+    while (bytes_needed <= budget_bytes_ && bytes() + bytes_needed > budget_bytes_ && !blocks.empty() &&
+           !blocks.front().in_frame) {
       blocks.pop_front();
       ++counts.evictions;
     }

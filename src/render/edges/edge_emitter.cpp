@@ -105,11 +105,13 @@ std::uint32_t EdgeEmitter::make_edge(const math::Vec2d& start, const math::Vec2d
   edge.first_row = static_cast<std::int32_t>(first);
   edge.last_row = static_cast<std::int32_t>(last);
   edge.step = (bottom.x - top.x) / (bottom.y - top.y);
-  edge.base = top.x - top.y * edge.step;
+  // An edge that is all but level has a step beyond all measure: rounding must not carry it past its ends.
+  const auto [left, right] = std::minmax(top.x, bottom.x);
+  edge.x_first = std::clamp(top.x + (first - top.y) * edge.step, left, right);
   edge.leading = edge.trailing = kBackground;
-  const double x_first = edge.base + edge.step * first, x_last = edge.base + edge.step * last;
-  if (x_first > view_.width - 1 && x_last > view_.width - 1) return kOffScreen;
-  if (x_first <= 0 && x_last <= 0) edge.base = edge.step = 0;
+  const double x_last = edge.x_first + edge.step * (last - first);
+  if (edge.x_first > view_.width - 1 && x_last > view_.width - 1) return kOffScreen;
+  if (edge.x_first <= 0 && x_last <= 0) edge.x_first = edge.step = 0;
   edges_.push_back(edge);
   return static_cast<std::uint32_t>(edges_.size());
 }

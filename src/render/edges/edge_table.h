@@ -15,11 +15,11 @@ namespace temblor::render {
 enum class SurfaceIndex : std::uint32_t {};
 constexpr SurfaceIndex kBackground{0};
 
-// Row y, from first_row to last_row, is crossed at x = base + step * y: computed, never accumulated, so that
-// a band of rows may start anywhere. Pixels with centres at or right of x lie right of the edge. Going right,
-// `trailing` ends here and `leading` begins (kBackground: none).
+// Row y, from first_row to last_row, is crossed at x = x_first + step * (y - first_row): computed, never
+// accumulated, so that a band of rows may start anywhere. Pixels with centres at or right of x lie right of
+// the edge. Going right, `trailing` ends here and `leading` begins (kBackground: none).
 struct Edge {
-  double base, step;
+  double x_first, step;
   std::int32_t first_row, last_row;
   SurfaceIndex leading, trailing;
 };
@@ -58,7 +58,8 @@ struct EdgeTable {
   std::uint32_t item_count = 0;            // item 0 is the background
 };
 
+// `io_scratch` is used up and reset for each face of a brush model.
 EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFaces& visible,
-                     base::Arena& arena);
+                     base::Arena& arena, base::Arena& io_scratch);
 
 }  // namespace temblor::render

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/check.h"
 #include "render/edges/edge_emitter.h"
 #include "render/edges/edge_table.h"
 
@@ -100,7 +101,7 @@ bool in_frustum(const ViewFrame& view, const ModelView& model_view, const math::
 }
 
 void emit_brush_model(const Scene& scene, std::uint32_t instance, const ViewFrame& view,
-                      const ModelView& model_view, const VisibleFaces& visible, base::Arena& arena,
+                      const ModelView& model_view, const VisibleFaces& visible, base::Arena& io_scratch,
                       EdgeEmitter& io_emitter) {
   const world::Level& level = *scene.level;
   const world::Model& model = level.models[base::to_size(scene.brush_models[instance - 1].model)];
@@ -109,21 +110,22 @@ void emit_brush_model(const Scene& scene, std::uint32_t instance, const ViewFram
     const world::Face& face = level.faces[i];
     const FacePlacement placed = place_face(level, face, model_view);
     if (facing(view, placed.normal, placed.distance) < kEdgeOn) continue;
-    std::span<math::Vec3d> corners = arena.allocate<math::Vec3d>(face.surfedge_count);
+    io_scratch.reset();
+    std::span<math::Vec3d> corners = io_scratch.allocate<math::Vec3d>(face.surfedge_count);
     for (std::uint32_t corner = 0; corner < face.surfedge_count; ++corner)
       corners[corner] = model_view.to_world(
           math::Vec3d(level.vertices[level.surfedge_start(face.first_surfedge + corner)]));
     emit_pieces(level, visible,
                 {instance, base::to_index<world::FaceIndex>(i), placed.normal,
                  depth_plane(view, placed.normal, placed.distance)},
-                corners, arena, io_emitter);
+                corners, io_scratch, io_emitter);
   }
 }
 
 }  // namespace
 
 EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFaces& visible,
-                     base::Arena& arena) {
+                     base::Arena& arena, base::Arena& io_scratch) {
   const world::Level& level = *scene.level;
   EdgeEmitter emitter(level, view, arena);
   for (const VisibleFace& face : visible.faces) emitter.add_world_face(face);
@@ -131,8 +133,10 @@ EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFac
   std::span<ModelView> model_views = arena.allocate<ModelView>(scene.brush_models.size() + 1);
   model_views[0] = ModelView{};
   for (std::uint32_t instance = 1; instance < model_views.size(); ++instance) {
+    CHECK(base::to_size(scene.brush_models[instance - 1].model) < level.models.size(), "instance {}",
+          instance);
     model_views[instance] = make_model_view(scene.brush_models[instance - 1]);
-    emit_brush_model(scene, instance, view, model_views[instance], visible, arena, emitter);
+    emit_brush_model(scene, instance, view, model_views[instance], visible, io_scratch, emitter);
   }
   return emitter.finish(model_views);
 }

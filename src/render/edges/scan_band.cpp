@@ -13,15 +13,16 @@ namespace temblor::render {
 namespace {
 
 struct ActiveEdge {
-  double x;  // on this row
-  double base, step;
+  double x;  // on this row; 0 when left of the screen
+  double x_first, step;
   std::uint32_t number;
-  std::int32_t last_row;
+  std::int32_t first_row, last_row;
   SurfaceIndex leading, trailing;
 
-  // A total order, so that it does not matter where a band began.
+  // A total order, so that it does not matter where a band began. Of edges in one place the last made comes
+  // first: it is most often the farthest surface's, and what begins nearer goes on top of the stack.
   bool before(const ActiveEdge& other) const {
-    return x < other.x || (x == other.x && number < other.number);
+    return x < other.x || (x == other.x && number > other.number);
   }
 };
 
@@ -37,7 +38,6 @@ struct StackEntry {
 // The first pixel whose centre is not left of x, from 0 on. (std::ceil is a call on processors without
 // SSE 4.1.)
 int first_pixel(double x) {
-  if (x <= 0) return 0;
   const int whole = static_cast<int>(x);
   return whole + (x > whole ? 1 : 0);
 }
@@ -89,22 +89,29 @@ class BandScan {
 
   void enter(std::uint32_t number) {
     const Edge& edge = table_.edges[number];
-    active_.push_back({0, edge.base, edge.step, number, edge.last_row, edge.leading, edge.trailing});
+    active_.push_back(
+        {0, edge.x_first, edge.step, number, edge.first_row, edge.last_row, edge.leading, edge.trailing});
   }
 
-  // Drops edges that have ended and sorts the rest where they cross this row. Few change places from one row
-  // to the next, so insertion it is.
+  // Drops edges that have ended and sorts the rest where they cross this row. From one row to the next few
+  // change places, so insertion it is, unless many have just begun.
   void advance_to(int row) {
+    constexpr std::size_t kMostInserted = 16;
+    const bool sort_all = active_.size() > sorted_ + kMostInserted;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < active_.size(); ++i) {
       if (active_[i].last_row < row) continue;
       if (kept != i) active_[kept] = active_[i];
       ActiveEdge& edge = active_[kept];
-      edge.x = edge.base + edge.step * row;
-      if (kept > 0 && edge.before(active_[kept - 1])) insert_before(kept);
+      edge.x = std::max(edge.x_first + edge.step * (row - edge.first_row), 0.0);
+      if (!sort_all && kept > 0 && edge.before(active_[kept - 1])) insert_before(kept);
       ++kept;
     }
     active_.shrink(kept);
+    if (sort_all)
+      std::sort(active_.begin(), active_.end(),
+                [](const ActiveEdge& a, const ActiveEdge& b) { return a.before(b); });
+    sorted_ = kept;
   }
 
   void insert_before(std::size_t place) {
@@ -145,7 +152,7 @@ class BandScan {
     StackEntry& begun = entry(surface);
     if (++begun.inside != 1) return;
     std::uint32_t below = top_;
-    if (in_front(begun, stack_[below], std::max(edge_x, 0.0))) {
+    if (in_front(begun, stack_[below], edge_x)) {
       end_span(pixel);
       begun.farther = top_;
       stack_[top_].nearer = surface;
@@ -153,7 +160,7 @@ class BandScan {
       return;
     }
     do below = stack_[below].farther;
-    while (!in_front(begun, stack_[below], std::max(edge_x, 0.0)));
+    while (!in_front(begun, stack_[below], edge_x));
     begun.farther = below;
     begun.nearer = stack_[below].nearer;
     stack_[begun.nearer].farther = surface;
@@ -161,7 +168,8 @@ class BandScan {
   }
 
   // Brush models in one leaf have the same key: the nearer one is in front, and where two touch at
-  // the edge that begins, the one that comes nearer towards the right.
+  // the edge that begins, the one that comes nearer towards the right, or
+  // was entered first.
   bool in_front(const StackEntry& begun, const StackEntry& other, double x) const {
     if (begun.key != other.key) return begun.key < other.key;
     const ScreenPlane& plane = table_.pieces[begun.piece].depth;
@@ -170,13 +178,15 @@ class BandScan {
     // Orthographic depths are negative, so the tolerance goes by the size of the number.
     const double tolerance = kTouching * std::abs(depth);
     if (depth - tolerance >= other_depth) return true;
-    return depth + tolerance >= other_depth && plane.dx >= other_plane.dx;
+    if (depth + tolerance < other_depth) return false;
+    return plane.dx > other_plane.dx || (plane.dx == other_plane.dx && &begun < &other);
   }
 
   const EdgeTable& table_;
   const int width_;
   base::ArenaVector<ScannedSpan>& spans_;
   base::ArenaVector<ActiveEdge> active_;
+  std::size_t sorted_ = 0;  // of active_: those of the row before
   std::span<StackEntry> stack_;
   int row_ = 0;
   std::uint32_t top_ = kBottom;

@@ -41,8 +41,9 @@ struct Along {
     return {coordinate.at(x, y), coordinate.dx, depth.at(x, y), depth.dx};
   }
   int tile(int i, int tiles) const {
-    const double texel = (a + b * i) / (c + d * i);
-    return static_cast<int>(std::clamp(std::floor(texel / kTileTexels), 0.0, tiles - 1.0));
+    const double tile = std::floor((a + b * i) / (c + d * i) / kTileTexels);
+    if (!(tile > 0)) return 0;  // nor a number, on a face that strays from its plane
+    return static_cast<int>(std::min(tile, tiles - 1.0));
   }
   // The first pixel after i that lies in another tile than i's, `tile`; `end` when that is never.
   int tile_end(int i, int tile, int tiles, int end) const {
@@ -50,9 +51,9 @@ struct Along {
     if (rising ? tile + 1 >= tiles : tile == 0) return end;
     const double border = (rising ? tile + 1 : tile) * static_cast<double>(kTileTexels);
     const double slope = b - border * d;
-    if (slope == 0) return end;
     const double at = std::ceil((border * c - a) / slope);
-    return static_cast<int>(std::clamp(at, i + 1.0, std::max<double>(i + 1, end)));
+    if (!(at < end)) return end;
+    return std::max(i + 1, static_cast<int>(std::max(at, 0.0)));
   }
 };
 

@@ -8,13 +8,9 @@
 #include "base/arena.h"
 #include "base/parallel_for.h"
 #include "render/edges/edge_table.h"
+#include "render/edges/span_run.h"
 
 namespace temblor::render {
-
-// Pixels (x, y) to (x + count - 1, y).
-struct SpanRun {
-  std::uint16_t x, y, count;
-};
 
 // Sums over the pixels of one item's runs: where on the screen it is seen, and how large.
 struct PixelSum {

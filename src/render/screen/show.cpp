@@ -89,7 +89,7 @@ void draw_edges(const EdgeTable& table, Painter& painter, const FrameBuffer& fra
     const bool shared = edge.leading != kBackground && edge.trailing != kBackground;
     const formats::Rgb colour = shared ? formats::Rgb{255, 255, 255} : formats::Rgb{255, 220, 0};
     for (std::int32_t row = edge.first_row; row <= edge.last_row; ++row) {
-      const double x = std::ceil(edge.base + edge.step * row);
+      const double x = std::ceil(edge.x_first + edge.step * (row - edge.first_row));
       // A flat edge covers several pixels of a row.
       const double reach = std::min(std::abs(edge.step), static_cast<double>(frame.width()));
       for (double at = x; at <= x + reach; ++at)
@@ -168,12 +168,11 @@ void draw_shown(Show show, const ShownFrame& frame, const formats::Palette& pale
         return item == 0 ? formats::Rgb{} : kMipColours[frame.items.items[item].mip];
       });
     case Show::kOverdraw: {
-      std::fill_n(io_frame.depth().data(), io_frame.pixel_count(), 0.0f);
+      std::vector<std::uint8_t> writes(io_frame.pixel_count(), 0);
       for_each_run(frame.spans, [&](std::uint32_t, const SpanRun& run) {
-        for (std::size_t i = 0; i < run.count; ++i) io_frame.depth()[first_pixel(io_frame, run) + i] += 1;
+        for (std::size_t i = 0; i < run.count; ++i) ++writes[first_pixel(io_frame, run) + i];
       });
-      for (std::size_t i = 0; i < io_frame.pixel_count(); ++i)
-        painter.put(i, grey(static_cast<double>(io_frame.depth()[i]) / 4));
+      for (std::size_t i = 0; i < io_frame.pixel_count(); ++i) painter.put(i, grey(writes[i] / 4.0));
       return;
     }
     case Show::kEdges:

@@ -19,11 +19,16 @@ KernelDivide divide_of(const Settings& settings, const ViewFrame& view) {
 
 void draw_surface(const DrawItem& item, std::span<const SpanRun> runs, KernelDivide divide,
                   bool vector_kernels, const KernelTarget& target, PixelFormat format) {
-  const SurfaceRuns job{kernel_plane(item.depth),   kernel_plane(item.s),
-                        kernel_plane(item.t),       divide,
-                        item.block.texels,          item.block.shape.width,
-                        item.block.shape.width - 1, item.block.shape.height - 1,
-                        kernel_runs(runs),          runs.size()};
+  const SurfaceRuns job{kernel_plane(item.depth),
+                        kernel_plane(item.s),
+                        kernel_plane(item.t),
+                        divide,
+                        item.block.texels,
+                        item.block.shape.width,
+                        item.block.shape.width - 1,
+                        item.block.shape.height - 1,
+                        runs.data(),
+                        runs.size()};
   if (format == PixelFormat::kIndexed)
     vector_kernels ? draw_surface_runs_u8_vector(job, target) : draw_surface_runs_u8_plain(job, target);
   else
@@ -33,7 +38,7 @@ void draw_surface(const DrawItem& item, std::span<const SpanRun> runs, KernelDiv
 void draw_sky(SkyRuns job, const DrawItem& item, std::span<const SpanRun> runs, bool vector_kernels,
               const KernelTarget& target, PixelFormat format) {
   job.depth = kernel_plane(item.depth);
-  job.runs = kernel_runs(runs);
+  job.runs = runs.data();
   job.run_count = runs.size();
   if (format == PixelFormat::kIndexed)
     vector_kernels ? draw_sky_runs_u8_vector(job, target) : draw_sky_runs_u8_plain(job, target);
@@ -43,7 +48,7 @@ void draw_sky(SkyRuns job, const DrawItem& item, std::span<const SpanRun> runs, 
 
 void draw_repeating(RepeatRuns job, std::span<const SpanRun> runs, bool vector_kernels,
                     const KernelTarget& target, PixelFormat format) {
-  job.runs = kernel_runs(runs);
+  job.runs = runs.data();
   job.run_count = runs.size();
   if (format == PixelFormat::kIndexed)
     vector_kernels ? draw_repeat_runs_u8_vector(job, target) : draw_repeat_runs_u8_plain(job, target);

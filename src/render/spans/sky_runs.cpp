@@ -68,18 +68,18 @@ std::span<const SkyRuns*> prepare_sky_runs(const Scene& scene, const ViewFrame& 
                                            base::Arena& arena) {
   const std::span<const SkyRuns*> by_item =
       arena.allocate_filled<const SkyRuns*>(items.items.size(), nullptr);
-  std::size_t last_sky = 0;  // few levels have two skies: the last one made usually serves the next item
+  const std::span<const SkyRuns*> by_texture =
+      arena.allocate_filled<const SkyRuns*>(scene.level->textures.size(), nullptr);
   for (std::size_t i = 0; i < items.items.size(); ++i) {
     const DrawItem& item = items.items[i];
     if (item.kind != ItemKind::kSky) continue;
-    if (by_item[last_sky] != nullptr && items.items[last_sky].texture == item.texture) {
-      by_item[i] = by_item[last_sky];
-      continue;
+    const SkyRuns*& made = by_texture[static_cast<std::size_t>(item.texture - scene.level->textures.data())];
+    if (made == nullptr) {
+      const std::span<SkyRuns> room = arena.allocate<SkyRuns>(1);
+      room[0] = make_layers(*item.texture, view, scene.time_s, tables, format, arena);
+      made = room.data();
     }
-    const std::span<SkyRuns> room = arena.allocate<SkyRuns>(1);
-    room[0] = make_layers(*item.texture, view, scene.time_s, tables, format, arena);
-    by_item[i] = room.data();
-    last_sky = i;
+    by_item[i] = made;
   }
   return by_item;
 }

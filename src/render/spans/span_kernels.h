@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "render/edges/span_run.h"
+
 namespace temblor::render {
 
 // f(x, y) = at_origin + dx x + dy y.
@@ -12,9 +14,12 @@ struct KernelPlane {
   double at_origin, dx, dy;
 };
 
-struct KernelRun {
-  std::uint16_t x, y, count;
-};
+// Nearness never reaches zero on a face in view; rounding may bring it there.
+constexpr float kFarthest = 1e-20f;
+constexpr int kAffinePixels = 16;
+// Repeating coordinates beyond this are not told apart: far out on faces that seem to stretch for ever.
+constexpr float kFarTexel = 4e6f;
+constexpr float kTurnsATexel = 1.0f / 128.0f;
 
 enum class KernelDivide : std::uint8_t { kEveryPixel, kEvery16, kNone };
 
@@ -36,7 +41,7 @@ struct SurfaceRuns {
   const void* texels;  // bytes or 32-bit colours; rows are `texels_a_row` apart
   std::int32_t texels_a_row;
   std::int32_t last_s, last_t;
-  const KernelRun* runs;
+  const SpanRun* runs;
   std::size_t run_count;
 };
 
@@ -50,7 +55,7 @@ struct RepeatRuns {
   float phase;      // texels, added to the coordinate that the sine is taken of
   const void* texels;
   std::int32_t width, height;  // rows follow one another
-  const KernelRun* runs;
+  const SpanRun* runs;
   std::size_t run_count;
 };
 
@@ -65,7 +70,7 @@ struct SkyRuns {
   const void* clouds;                        // texels as drawn: bytes or 32-bit colours
   const void* back;
   std::int32_t width, height;  // of either layer; rows follow one another
-  const KernelRun* runs;
+  const SpanRun* runs;
   std::size_t run_count;
 };
 

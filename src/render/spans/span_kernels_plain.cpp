@@ -7,14 +7,7 @@ namespace temblor::render {
 
 namespace {
 
-// Nearness never reaches zero on a face in view; rounding may bring it there.
-constexpr float kFarthest = 1e-20f;
-constexpr int kAffinePixels = 16;
-// Repeating coordinates beyond this are not told apart: far out on faces that seem to stretch for ever.
-constexpr float kFarTexel = 4e6f;
-constexpr float kTurnsATexel = 1.0f / 128.0f;
-
-float at(const KernelPlane& plane, const KernelRun& run) {
+float at(const KernelPlane& plane, const SpanRun& run) {
   return static_cast<float>(plane.at_origin + plane.dx * run.x + plane.dy * run.y);
 }
 
@@ -34,7 +27,7 @@ class RunDrawer {
  public:
   RunDrawer(const SurfaceRuns& runs, const KernelTarget& target) : runs_(runs), target_(target) {}
 
-  void draw(const KernelRun& run) {
+  void draw(const SpanRun& run) {
     const std::size_t first = run.y * target_.width + run.x;
     out_ = static_cast<Texel*>(target_.pixels) + first;
     const float depth = at(runs_.depth, run), s = at(runs_.s, run), t = at(runs_.t, run);
@@ -96,7 +89,7 @@ std::int32_t wrapped(float texel, std::int32_t size) {
 }
 
 template <typename Texel>
-void draw_sky_run(const SkyRuns& sky, const KernelRun& run, const KernelTarget& target) {
+void draw_sky_run(const SkyRuns& sky, const SpanRun& run, const KernelTarget& target) {
   const std::size_t first = run.y * target.width + run.x;
   const float depth = at(sky.depth, run), depth_step = static_cast<float>(sky.depth.dx);
   float ray[3], step[3];
@@ -134,7 +127,7 @@ float bounded(float texel) {
 }
 
 template <typename Texel>
-void draw_repeat_run(const RepeatRuns& repeat, const KernelRun& run, const KernelTarget& target) {
+void draw_repeat_run(const RepeatRuns& repeat, const SpanRun& run, const KernelTarget& target) {
   const std::size_t first = run.y * target.width + run.x;
   const float depth = at(repeat.depth, run), s_base = at(repeat.s, run), t_base = at(repeat.t, run);
   const float depth_step = static_cast<float>(repeat.depth.dx);

@@ -1,6 +1,5 @@
 // Hot loop. The vector twins of span_kernels_plain.cpp, compiled once for each instruction set. Lane i of a
-// run is base + i * step, whatever the vector's width; texels are fetched one by one, which on current
-// processors costs no more than a gather and works for bytes.
+// run is base + i * step, whatever the vector's width.
 #include "render/spans/span_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -43,13 +42,9 @@ using D8 = hn::Rebind<uint8_t, DU>;
 using VF = hn::Vec<DF>;
 using VI = hn::Vec<DI>;
 
-constexpr float kFarthest = 1e-20f;
-constexpr int kAffinePixels = 16;
 constexpr int kMostLanes = 16;
-constexpr float kFarTexel = 4e6f;
-constexpr float kTurnsATexel = 1.0f / 128.0f;
 
-HWY_INLINE float At(const KernelPlane& plane, const KernelRun& run) {
+HWY_INLINE float At(const KernelPlane& plane, const SpanRun& run) {
   return static_cast<float>(plane.at_origin + plane.dx * run.x + plane.dy * run.y);
 }
 
@@ -226,8 +221,13 @@ struct Walk {
   HWY_INLINE bool Inside(const RunLines& lines, const SurfaceRuns& runs, int count) const {
     constexpr float kMargin = 1.0f / 64;
     const float end = static_cast<float>(count - 1);
-    const float first_z = 1.0f / lines.depth.base,
-                last_z = 1.0f / (lines.depth.base + end * lines.depth.step);
+    const float last_depth = lines.depth.base + end * lines.depth.step;
+    // The margin holds for numbers of like size; depth that falls far along a span makes rounding errors
+    // grow.
+    constexpr float kMostRatio = 16;
+    if (last_depth > lines.depth.base * kMostRatio || lines.depth.base > last_depth * kMostRatio)
+      return false;
+    const float first_z = 1.0f / lines.depth.base, last_z = 1.0f / last_depth;
     const float first_s = lines.s.base * first_z, last_s = (lines.s.base + end * lines.s.step) * last_z;
     const float first_t = lines.t.base * first_z, last_t = (lines.t.base + end * lines.t.step) * last_z;
     const float most_s = static_cast<float>(runs.last_s) + 1 - kMargin;
@@ -347,7 +347,7 @@ HWY_INLINE void DrawSurfaceRuns(const SurfaceRuns& runs, const KernelTarget& tar
   lines.s.step = static_cast<float>(runs.s.dx);
   lines.t.step = static_cast<float>(runs.t.dx);
   for (size_t i = 0; i < runs.run_count; ++i) {
-    const KernelRun& run = runs.runs[i];
+    const SpanRun& run = runs.runs[i];
     const size_t first = run.y * target.width + run.x;
     Texel* out = static_cast<Texel*>(target.pixels) + first;
     float* out_depth = target.depth == nullptr ? nullptr : target.depth + first;
@@ -401,7 +401,7 @@ HWY_INLINE void DrawSkyRuns(const SkyRuns& sky, const KernelTarget& target) {
   const Repeating<Texel> back{static_cast<const Texel*>(sky.back), sky.width, sky.height};
   HWY_ALIGN Texel cloud_texels[kMostLanes], back_texels[kMostLanes];
   for (size_t r = 0; r < sky.run_count; ++r) {
-    const KernelRun& run = sky.runs[r];
+    const SpanRun& run = sky.runs[r];
     const size_t first = run.y * target.width + run.x;
     Texel* out = static_cast<Texel*>(target.pixels) + first;
     Line ray[3];
@@ -448,7 +448,7 @@ HWY_INLINE void DrawRepeatRuns(const RepeatRuns& repeat, const KernelTarget& tar
   const VF phase = hn::Set(d, repeat.phase), amplitude = hn::Set(d, repeat.amplitude);
   const VF turns_a_texel = hn::Set(d, kTurnsATexel);
   for (size_t r = 0; r < repeat.run_count; ++r) {
-    const KernelRun& run = repeat.runs[r];
+    const SpanRun& run = repeat.runs[r];
     const size_t first = run.y * target.width + run.x;
     Texel* out = static_cast<Texel*>(target.pixels) + first;
     const Line depth_line{At(repeat.depth, run), static_cast<float>(repeat.depth.dx)};

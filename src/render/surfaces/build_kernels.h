@@ -7,6 +7,8 @@
 
 namespace temblor::render {
 
+// The vector kernels may read 32 texels past a row's end.
+//
 // Along one row, light is interpolated between sample columns, `texels_a_sample` (16, 8, 4 or 2) texels
 // apart.
 struct IndexedRow {

@@ -50,33 +50,52 @@ void BuildIndexedRow(const IndexedRow& row) {
   }
 }
 
-// Two texels (eight 16-bit channels) a 128-bit block; wider vectors hold more texels.
-void BuildRgbRow(const RgbRow& row) {
-  const hn::CappedTag<int16_t, 8> d;
-  const hn::Rebind<uint8_t, decltype(d)> d8;
-  const int step = 32768 / row.texels_a_sample;
+// Four 16-bit channels a texel; a vector never reaches over a sample column.
+template <class D>
+HWY_INLINE void BuildRgbTexels(D d, const RgbRow& row) {
+  const hn::Rebind<uint8_t, D> d8;
+  const hn::Repartition<uint32_t, decltype(d8)> d32;
+  const hn::Repartition<int64_t, D> d64;
+  const int texels_a_vector = static_cast<int>(hn::Lanes(d)) / 4;
   const auto opaque = hn::Set(d, 255);
-  HWY_ALIGN const int16_t kSecond[8] = {0, 0, 0, 0, 1, 1, 1, 1};
-  const auto second = hn::Load(d, kSecond);
-  HWY_ALIGN uint8_t pair[8];
-  for (int x = 0; x < row.count; x += 2) {
-    const int16_t* sample = row.light + x / row.texels_a_sample * 4;
-    const hn::CappedTag<int16_t, 4> half;
-    const auto from = hn::Combine(d, hn::LoadU(half, sample), hn::LoadU(half, sample));
-    const auto to = hn::Combine(d, hn::LoadU(half, sample + 4), hn::LoadU(half, sample + 4));
-    const auto fraction = hn::Mul(hn::Add(hn::Set(d, static_cast<int16_t>(x % row.texels_a_sample)), second),
-                                  hn::Set(d, static_cast<int16_t>(step)));
-    const auto light = hn::Add(from, hn::MulFixedPoint15(hn::Sub(to, from), fraction));
-    const auto colours = hn::PromoteTo(d, hn::LoadU(d8, reinterpret_cast<const uint8_t*>(row.texels + x)));
-    const auto lit = hn::Min(hn::MulFixedPoint15(hn::Add(colours, colours), light), opaque);
-    hn::Store(hn::DemoteTo(d8, lit), d8, pair);
-    for (int i = 0; i < 2 && x + i < row.count; ++i) {
-      const uint32_t texel = row.texels[x + i];
-      uint32_t shaded;
-      __builtin_memcpy(&shaded, pair + 4 * i, 4);
-      row.out[x + i] = (texel >> 24 == 0 ? texel : shaded) | 0xff000000u;
+  const auto alpha = hn::Set(d32, 0xff000000u);
+  HWY_ALIGN int16_t fractions[16 * 4];
+  for (int i = 0; i < 16 * 4; ++i)
+    fractions[i] = static_cast<int16_t>(i / 4 % row.texels_a_sample * (32768 / row.texels_a_sample));
+  const int16_t* sample = row.light;
+  for (int x = 0; x < row.count; x += row.texels_a_sample, sample += 4) {
+    int64_t here, next;
+    __builtin_memcpy(&here, sample, sizeof(here));
+    __builtin_memcpy(&next, sample + 4, sizeof(next));
+    const auto from = hn::BitCast(d, hn::Set(d64, here));
+    const auto change = hn::Sub(hn::BitCast(d, hn::Set(d64, next)), from);
+    for (int i = 0; i < row.texels_a_sample && x + i < row.count; i += texels_a_vector) {
+      const auto light = hn::Add(from, hn::MulFixedPoint15(change, hn::LoadU(d, fractions + 4 * i)));
+      const auto texels = hn::LoadU(d8, reinterpret_cast<const uint8_t*>(row.texels + x + i));
+      const auto colours = hn::PromoteTo(d, texels);
+      const auto lit = hn::Min(hn::MulFixedPoint15(hn::Add(colours, colours), light), opaque);
+      const auto shaded = hn::BitCast(d32, hn::DemoteTo(d8, lit));
+      const auto as_is = hn::BitCast(d32, texels);
+      const auto full_bright = hn::Eq(hn::And(as_is, alpha), hn::Zero(d32));
+      const auto out = hn::Or(hn::IfThenElse(full_bright, as_is, shaded), alpha);
+      if (HWY_LIKELY(x + i + texels_a_vector <= row.count)) {
+        hn::StoreU(out, d32, row.out + x + i);
+      } else {
+        HWY_ALIGN uint32_t last[8];
+        hn::Store(out, d32, last);
+        for (int j = 0; j < texels_a_vector && x + i + j < row.count; ++j) row.out[x + i + j] = last[j];
+      }
     }
   }
+}
+
+void BuildRgbRow(const RgbRow& row) {
+  if (row.texels_a_sample >= 8)
+    BuildRgbTexels(hn::CappedTag<int16_t, 32>(), row);
+  else if (row.texels_a_sample == 4)
+    BuildRgbTexels(hn::CappedTag<int16_t, 16>(), row);
+  else
+    BuildRgbTexels(hn::CappedTag<int16_t, 8>(), row);
 }
 
 #endif

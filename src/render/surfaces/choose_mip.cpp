@@ -23,6 +23,7 @@ int footprint_mip(const ViewFrame& view, const ScreenPlane& depth, const ScreenP
                                s.dx * (t.at_origin * depth.dy - t.dy * depth.at_origin) +
                                s.dy * (t.at_origin * depth.dx - t.dx * depth.at_origin);
     const double here = depth.at(x, y);
+    if (!(here > 0)) return 0;  // a face that strays from its plane
     texels = std::abs(determinant) / (here * here * here);
   }
   return texels < 2 ? 0 : texels < 8 ? 1 : texels < 32 ? 2 : 3;

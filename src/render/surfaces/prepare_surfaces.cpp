@@ -105,13 +105,14 @@ class Preparation {
     for (std::uint32_t number = 0; number < items_.size(); ++number) {
       DrawItem& item = items_[number];
       if (item.kind != ItemKind::kSurface) continue;
-      ++io_stats.surfaces;
       const BlockRequest request = request_of(number);
       SurfaceCache::Lookup found;
-      if (io_cache.find(slot_of(io_cache, request), request.contents, found))
-        item.block = found.block;
-      else
+      if (!io_cache.find(slot_of(io_cache, request), request.contents, found)) {
         waiting.push_back(number);
+        continue;
+      }
+      item.block = found.block;
+      count_use(found, io_stats);
     }
     for (const std::uint32_t number : waiting) {
       BlockRequest request = request_of(number);
@@ -119,12 +120,11 @@ class Preparation {
       const SurfaceShape shape = surface_shape(face, request.tile_s, request.tile_t, request.mip);
       const SurfaceCache::Lookup room = io_cache.reserve(slot_of(io_cache, request), request.contents, shape);
       items_[number].block = request.block = room.block;
+      count_use(room, io_stats);
       if (!room.must_build) continue;
       missing.push_back(request);
       io_stats.texels_built += shape.texels();
     }
-    for (const DrawItem& item : items_)
-      if (item.kind == ItemKind::kSurface) io_stats.texels_read += item.block.shape.texels();
     io_stats.surfaces_built = static_cast<std::uint32_t>(missing.size());
     return missing.view();
   }
@@ -135,6 +135,13 @@ class Preparation {
   world::TextureIndex texture_of(const ScreenSurface& surface, const world::Face& face) const {
     const int frame = surface.instance == 0 ? 0 : scene_.brush_models[surface.instance - 1].frame;
     return world::animated_texture(level_, face.texture, scene_.time_s, frame);
+  }
+
+  // Pieces of a face read from one block.
+  static void count_use(const SurfaceCache::Lookup& lookup, FrameStats& io_stats) {
+    if (!lookup.first_use) return;
+    ++io_stats.surfaces;
+    io_stats.texels_read += lookup.block.shape.texels();
   }
 
   BlockRequest request_of(std::uint32_t number) const {
@@ -166,9 +173,12 @@ class Preparation {
              const ScreenPlane& depth, const ScreenPlane& s, const ScreenPlane& t,
              base::Arena& scratch) const {
     if (settings_.force_mip >= 0) return std::min(settings_.force_mip, 3);
+    // Mip levels of other sizes do not repeat where the texture does.
+    const world::Texture& texture = level_.texture(level_.face(surface.face).texture);
+    if (texture.width % 8 != 0 || texture.height % 8 != 0) return 0;
     if (settings_.mip_rule == MipRule::kFootprint) {
       // In the middle of what is seen of it.
-      const PixelSum& seen = seen_[item];
+      const PixelSum seen = seen_of_face(surface, item);
       const double pixels = static_cast<double>(seen.pixels);
       return footprint_mip(view_, depth, s, t, static_cast<double>(seen.x) / pixels,
                            static_cast<double>(seen.y) / pixels);
@@ -176,6 +186,24 @@ class Preparation {
     const bool whole = surface.tiles.s == 1 && surface.tiles.t == 1;
     const double nearest = whole ? nearest_of_face(surface, scratch) : nearest_in_spans(item, depth);
     return stock_mip(view_, nearest, (glm::length(placed.s_axis) + glm::length(placed.t_axis)) / 2);
+  }
+
+  // Of all pieces that the face was cut into, which must look alike: they were entered one after another.
+  PixelSum seen_of_face(const ScreenSurface& surface, std::uint32_t item) const {
+    const std::uint32_t tile = item - surface.first_item;
+    const auto same_face = [&](const ScreenSurface& other) {
+      return other.instance == surface.instance && other.face == surface.face;
+    };
+    std::size_t first = base::to_size(items_[item].surface);
+    while (first > 1 && same_face(table_.surfaces[first - 1])) --first;
+    PixelSum sum;
+    for (std::size_t i = first; i < table_.surfaces.size() && same_face(table_.surfaces[i]); ++i) {
+      const PixelSum& piece = seen_[table_.surfaces[i].first_item + tile];
+      sum.pixels += piece.pixels;
+      sum.x += piece.x;
+      sum.y += piece.y;
+    }
+    return sum;
   }
 
   double nearest_of_face(const ScreenSurface& surface, base::Arena& scratch) const {

@@ -8,7 +8,7 @@ namespace temblor::render {
 void SurfaceCache::begin_frame(const world::Level& level, std::size_t bytes_per_texel,
                                std::size_t budget_bytes, bool enabled) {
   frame_blocks_.clear();
-  if (level_ != &level || bytes_per_texel_ != bytes_per_texel) {
+  if (level_ != level.identity || bytes_per_texel_ != bytes_per_texel) {
     forget();
     bytes_per_texel_ = bytes_per_texel;
     index_level(level);
@@ -21,7 +21,7 @@ void SurfaceCache::begin_frame(const world::Level& level, std::size_t bytes_per_
 }
 
 void SurfaceCache::forget() {
-  level_ = nullptr;
+  level_.reset();
   first_slot_.clear();
   entry_of_slot_.clear();
   entries_.clear();
@@ -32,7 +32,7 @@ void SurfaceCache::forget() {
 }
 
 void SurfaceCache::index_level(const world::Level& level) {
-  level_ = &level;
+  level_ = level.identity;
   std::size_t slots = 0;
   for (const world::Face& face : level.faces) {
     first_slot_.push_back(slots);
@@ -46,33 +46,33 @@ bool SurfaceCache::find(std::size_t slot, const BlockContents& contents, Lookup&
   if (!enabled_) return false;
   const std::uint32_t number = entry_of_slot_[slot];
   if (number == kNone || entries_[number].contents != contents) return false;
+  const bool first_use = entries_[number].used_in_frame != frame_;
   entries_[number].used_in_frame = frame_;
   make_newest(number);
-  out_lookup = {block_of(entries_[number]), false};
-  ++counts_.hits;
+  out_lookup = {block_of(entries_[number]), false, first_use};
+  counts_.hits += first_use;
   return true;
 }
 
 SurfaceCache::Lookup SurfaceCache::reserve(std::size_t slot, const BlockContents& contents,
                                            SurfaceShape shape) {
-  ++counts_.misses;
-  if (!enabled_) return {allocate_for_frame(shape), true};
+  if (!enabled_) return build_for_frame(shape);
   std::uint32_t number = entry_of_slot_[slot];
   if (number != kNone && entries_[number].used_in_frame == frame_) {
     // Another instance of the same brush model shows this face with another texture.
-    if (entries_[number].contents == contents) return {block_of(entries_[number]), false};
-    return {allocate_for_frame(shape), true};
+    if (entries_[number].contents == contents) return {block_of(entries_[number]), false, false};
+    return build_for_frame(shape);
   }
   if (number == kNone) {
     const std::size_t bytes = shape.texels() * bytes_per_texel_ + kBlockPadding;
-    while (bytes_in_use_ + bytes > budget_bytes_ && oldest_ != kNone &&
+    while (bytes <= budget_bytes_ && bytes_in_use_ + bytes > budget_bytes_ && oldest_ != kNone &&
            entries_[oldest_].used_in_frame != frame_) {
       evict(oldest_);
       ++counts_.evictions;
     }
     if (bytes_in_use_ + bytes > budget_bytes_) {
       ++counts_.over_budget;
-      return {allocate_for_frame(shape), true};
+      return build_for_frame(shape);
     }
     number = new_entry();
     Entry& entry = entries_[number];
@@ -86,7 +86,8 @@ SurfaceCache::Lookup SurfaceCache::reserve(std::size_t slot, const BlockContents
   entries_[number].contents = contents;
   entries_[number].used_in_frame = frame_;
   make_newest(number);
-  return {block_of(entries_[number]), true};
+  ++counts_.misses;
+  return {block_of(entries_[number]), true, true};
 }
 
 void SurfaceCache::unlink(std::uint32_t number) {
@@ -126,10 +127,11 @@ std::uint32_t SurfaceCache::new_entry() {
   return number;
 }
 
-SurfaceBlock SurfaceCache::allocate_for_frame(SurfaceShape shape) {
+SurfaceCache::Lookup SurfaceCache::build_for_frame(SurfaceShape shape) {
+  ++counts_.misses;
   frame_blocks_.push_back(
       std::make_unique_for_overwrite<std::byte[]>(shape.texels() * bytes_per_texel_ + kBlockPadding));
-  return {frame_blocks_.back().get(), shape};
+  return {{frame_blocks_.back().get(), shape}, true, true};
 }
 
 }  // namespace temblor::render

@@ -27,8 +27,7 @@ struct CacheCounts {
 
 class SurfaceCache {
  public:
-  // Forgets everything when the level or the format is not that of the last frame. The level is known by its
-  // address: forget() before it is freed.
+  // Forgets everything when the level or the format is not that of the last frame.
   void begin_frame(const world::Level& level, std::size_t bytes_per_texel, std::size_t budget_bytes,
                    bool enabled);
   void forget();
@@ -36,6 +35,7 @@ class SurfaceCache {
   struct Lookup {
     SurfaceBlock block;
     bool must_build;
+    bool first_use;  // in this frame
   };
   // First for all blocks of a frame: the block when it is there and fresh, marked as used.
   bool find(std::size_t slot, const BlockContents& contents, Lookup& out_lookup);
@@ -67,9 +67,9 @@ class SurfaceCache {
   void unlink(std::uint32_t entry);
   void evict(std::uint32_t entry);
   std::uint32_t new_entry();
-  SurfaceBlock allocate_for_frame(SurfaceShape shape);
+  Lookup build_for_frame(SurfaceShape shape);
 
-  const world::Level* level_ = nullptr;
+  std::shared_ptr<const world::LevelIdentity> level_;
   std::size_t bytes_per_texel_ = 1;
   std::size_t budget_bytes_ = 0;
   bool enabled_ = true;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/view/model_view.h"
 #include "world/visibility.h"
 
 namespace temblor::render {
@@ -29,6 +30,12 @@ int clip_box(const std::array<FrustumPlane, 5>& frustum, const math::Bounds& bou
   return flags;
 }
 
+// Whether the level says what can be seen from there.
+bool has_pvs(const world::Level& level, world::LeafIndex eye) {
+  return eye != world::LeafIndex{0} && base::to_size(eye) <= level.visible_leaf_count &&
+         level.leaf(eye).visibility_offset >= 0 && !level.visibility.empty();
+}
+
 class Walk {
  public:
   Walk(const world::Level& level, const LevelTables& tables, const ViewFrame& view, base::Arena& arena)
@@ -41,6 +48,19 @@ class Walk {
         leaf_keys_(arena.allocate_filled<SortKey>(level.leafs.size(), kNotVisited)),
         faces_(arena, 1024),
         open_(arena, 256) {}
+
+  void mark_leaf(std::size_t leaf) {
+    leaf_visible_[leaf] = 1;
+    const world::Leaf& marked = level_.leafs[leaf];
+    for (std::uint32_t i = 0; i < marked.marked_face_count; ++i) {
+      std::uint8_t& mark = face_marked_[base::to_size(level_.marked_faces[marked.first_marked_face + i])];
+      faces_in_pvs_ += mark == 0;
+      mark = kInPvs;
+    }
+    for (std::uint32_t node = tables_.leaf_parent[leaf];
+         node != LevelTables::kNoParent && node_marked_[node] == 0; node = tables_.node_parent[node])
+      node_marked_[node] = 1;
+  }
 
   void mark_everything() {
     for (std::size_t leaf = 1; leaf < level_.leafs.size(); ++leaf) mark_leaf(leaf);
@@ -77,19 +97,6 @@ class Walk {
     int flags;
   };
 
-  void mark_leaf(std::size_t leaf) {
-    leaf_visible_[leaf] = 1;
-    const world::Leaf& marked = level_.leafs[leaf];
-    for (std::uint32_t i = 0; i < marked.marked_face_count; ++i) {
-      std::uint8_t& mark = face_marked_[base::to_size(level_.marked_faces[marked.first_marked_face + i])];
-      faces_in_pvs_ += mark == 0;
-      mark = kInPvs;
-    }
-    for (std::uint32_t node = tables_.leaf_parent[leaf];
-         node != LevelTables::kNoParent && node_marked_[node] == 0; node = tables_.node_parent[node])
-      node_marked_[node] = 1;
-  }
-
   void enter_node(const Step& step) {
     const world::Node& node = level_.node(step.child.node());
     if (node_marked_[base::to_size(step.child.node())] == 0) return;
@@ -116,9 +123,18 @@ class Walk {
   }
 
   void enter_faces(const world::Node& node, int side) {
-    for (std::uint32_t face = node.first_face; face < node.first_face + node.face_count; ++face)
-      if (face_marked_[face] == kReached && level_.faces[face].back_side == (side == 1))
-        faces_.push_back({base::to_index<world::FaceIndex>(face), next_key_++});
+    for (std::uint32_t number = node.first_face; number < node.first_face + node.face_count; ++number) {
+      const world::Face& face = level_.faces[number];
+      if (face_marked_[number] != kReached || face.back_side != (side == 1)) continue;
+      // Compilers put faces in their node's plane; files need not.
+      if (face.plane != node.plane && facing_of(face) < kEdgeOn) continue;
+      faces_.push_back({base::to_index<world::FaceIndex>(number), next_key_++});
+    }
+  }
+
+  double facing_of(const world::Face& face) const {
+    const FacePlacement placed = place_face(level_, face, ModelView{});
+    return facing(view_, placed.normal, placed.distance);
   }
 
   static constexpr std::uint8_t kInPvs = 1, kReached = 2;
@@ -138,11 +154,12 @@ class Walk {
 VisibleFaces find_visible_faces(const world::Level& level, const LevelTables& tables, const ViewFrame& view,
                                 bool use_pvs, base::Arena& arena, std::vector<std::uint8_t>& io_pvs_row) {
   Walk walk(level, tables, view, arena);
-  if (!use_pvs || !view.perspective || view.eye_leaf == world::LeafIndex{0}) {
-    walk.mark_everything();
-  } else {
+  if (use_pvs && view.perspective && has_pvs(level, view.eye_leaf)) {
     world::decompress_pvs(level, view.eye_leaf, io_pvs_row);
     walk.mark_row(io_pvs_row);
+    walk.mark_leaf(base::to_size(view.eye_leaf));
+  } else {
+    walk.mark_everything();
   }
   return walk.run();
 }

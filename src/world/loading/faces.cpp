@@ -90,10 +90,15 @@ base::Status set_light(const Level& level, const formats::BspFace& bsp_face, std
 
 }  // namespace
 
+// Compilers let few faces share light samples, or none. A file may let all of them share the same large light
+// map, and then stand for far more surfaces than it has bytes.
+constexpr std::uint64_t kMostSharing = 64;
+
 base::Status make_faces(const formats::Bsp& bsp, Level& io_level) {
   // make_textures puts the missing texture last.
   const std::size_t missing = io_level.textures.size() - 1;
   io_level.faces.reserve(bsp.faces.size());
+  std::uint64_t samples = 0;
   for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
     const formats::BspFace& bsp_face = bsp.faces[i];
     const formats::BspTexinfo& texinfo = bsp.texinfos[bsp_face.texinfo];
@@ -108,6 +113,12 @@ base::Status make_faces(const formats::Bsp& bsp, Level& io_level) {
     face.kind = kind_of(io_level, io_level.texture(face.texture).kind, texinfo, bsp_face);
     TRY_STATUS(set_extents(io_level, i, face));
     TRY_STATUS(set_light(io_level, bsp_face, i, face));
+    if (face.light != kNoLight)
+      samples +=
+          static_cast<std::uint64_t>(face.light_width()) * static_cast<std::uint64_t>(face.light_height());
+    if (samples > io_level.light.size() * kMostSharing)
+      return base::malformed("face {}: the faces up to it share {} light samples more than {} times over", i,
+                             io_level.light.size(), kMostSharing);
     io_level.faces.push_back(face);
   }
   return base::Ok{};
