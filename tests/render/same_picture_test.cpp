@@ -220,5 +220,18 @@ TEST(SamePicture, AfterALevelThatIsGone) {
   }
 }
 
+// Two levels that follow one another at one address, of different shape.
+TEST(SamePicture, AfterALevelAtTheSameAddress) {
+  const DrawableLevel tiny = small_level({.tiny = true}), full = small_level();
+  world::Level level = *tiny.level;
+  render::Renderer renderer(full.palette, full.colormap);
+  draw(renderer, viewpoint_number(level, 0).scene(level), {}, render::PixelFormat::kRgb);
+  level = *full.level;
+  const Viewpoint viewpoint = viewpoint_number(level, 0);
+  const FrameCopy expected = draw_cold(full, viewpoint.scene(*full.level), {}, render::PixelFormat::kRgb);
+  expect_same(expected, draw(renderer, viewpoint.scene(level), {}, render::PixelFormat::kRgb),
+              "the second level");
+}
+
 }  // namespace
 }  // namespace temblor::test
