@@ -130,8 +130,7 @@ const Case kIndices[] = {
 const Case kShapes[] = {
     {"NoModels", DAMAGE(b.models.clear()), "lump models: model 0 (the world) is missing"},
     {"NoLeafs", DAMAGE(b.leafs.clear()), "lump leafs: leaf 0 (solid) is missing"},
-    {"NoEdges", DAMAGE(b.faces[2].surfedge_count = 0),
-     "lump faces: face 2: 0 edges are not within 3 to 512"},
+    {"NoEdges", DAMAGE(b.faces[2].surfedge_count = 0), "lump faces: face 2: 0 edges are not within 3 to 512"},
     {"TwoEdges", DAMAGE(b.faces[2].surfedge_count = 2),
      "lump faces: face 2: 2 edges are not within 3 to 512"},
     {"ManyEdges", DAMAGE(b.surfedges.resize(100000, 1); b.faces[2].surfedge_count = 100000),
