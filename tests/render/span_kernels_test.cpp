@@ -111,7 +111,7 @@ TYPED_TEST(SurfaceSpans, VectorEqualsPlainAlongTheTexturesEnds) {
   const std::vector<TypeParam> texels = make_noise<TypeParam>(kSize, kSize, random);
   for_each_vector_target([&] {
     std::vector<TypeParam> plain(kWidth), vector(kWidth);
-    for (int i = 0; i < effort(1500, 60); ++i) {
+    for (int i = 0; i < effort(1500, 300); ++i) {
       const double near = random.log_uniform(1, 16), far = random.log_uniform(1.0 / 8192, 1.0 / 512);
       const bool recedes = random.chance(0.5);
       const double depth = recedes ? near : far, depth_step = (recedes ? far - near : near - far) / kWidth;
