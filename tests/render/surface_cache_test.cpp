@@ -280,7 +280,7 @@ class Expectation {
     budget_bytes_ = budget_bytes;
     counts = {};
     for (Block& block : blocks) block.in_frame = false;
-    while (bytes() > budget_bytes_) blocks.pop_front();
+    for (; bytes() > budget_bytes_; ++counts.evictions) blocks.pop_front();
   }
   bool find(std::size_t slot, const BlockContents& wanted) {
     const auto block = at(slot);

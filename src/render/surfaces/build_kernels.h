@@ -13,7 +13,7 @@ namespace temblor::render {
 // apart.
 struct IndexedRow {
   const std::uint8_t* texels;    // `count` palette indices
-  const std::int16_t* light;     // (65280 - sum) >> 2 by sample column, count / texels_a_sample + 1 of them
+  const std::int16_t* light;     // (65280 - sum) >> 2 by sample column: one more than begin within the row
   const std::uint8_t* colormap;  // 64 rows of 256
   std::uint8_t* out;
   std::int32_t count, texels_a_sample;

@@ -17,7 +17,7 @@ void SurfaceCache::begin_frame(const world::Level& level, std::size_t bytes_per_
   budget_bytes_ = budget_bytes;
   counts_ = {};
   ++frame_;
-  while (oldest_ != kNone && bytes_in_use_ > budget_bytes_) evict(oldest_);
+  for (; oldest_ != kNone && bytes_in_use_ > budget_bytes_; ++counts_.evictions) evict(oldest_);
 }
 
 void SurfaceCache::forget() {
