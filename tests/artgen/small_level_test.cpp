@@ -13,6 +13,7 @@
 
 #include "formats/bsp.h"
 #include "formats/entities.h"
+#include "support/bsp_faces.h"
 #include "support/plan_contents.h"
 
 namespace temblor::artgen {
@@ -93,15 +94,7 @@ TEST_P(EverySmallLevel, HasTheContentsOfItsPlanInEveryCell) {
   for (const std::int32_t contents : {-1, -2, -3, -6}) EXPECT_GT(seen[contents], 0) << contents;
 }
 
-std::vector<math::Vec3> vertices_of(const formats::Bsp& bsp, const formats::BspFace& face) {
-  std::vector<math::Vec3> vertices;
-  for (std::uint32_t i = 0; i < face.surfedge_count; ++i) {
-    const std::int32_t surfedge = bsp.surfedges[face.first_surfedge + i];
-    const formats::BspEdge& edge = bsp.edges[static_cast<std::size_t>(std::abs(surfedge))];
-    vertices.push_back(bsp.vertices[edge.vertices[surfedge < 0 ? 1 : 0]]);
-  }
-  return vertices;
-}
+using test::vertices_of;
 
 double area_of(const std::vector<math::Vec3>& vertices) {
   math::Vec3d doubled(0.0);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "support/bsp_faces.h"
 #include "support/game_data.h"
 #include "world/level.h"
 #include "world/test_levels.h"
@@ -16,15 +17,7 @@
 namespace temblor::world {
 namespace {
 
-std::vector<math::Vec3> vertices_of(const formats::Bsp& bsp, const formats::BspFace& face) {
-  std::vector<math::Vec3> vertices;
-  for (std::uint32_t i = 0; i < face.surfedge_count; ++i) {
-    const std::int32_t surfedge = bsp.surfedges[face.first_surfedge + i];
-    const formats::BspEdge& edge = bsp.edges[static_cast<std::size_t>(std::abs(surfedge))];
-    vertices.push_back(bsp.vertices[edge.vertices[surfedge < 0 ? 1 : 0]]);
-  }
-  return vertices;
-}
+using test::vertices_of;
 
 struct Range {
   double min = 1e30, max = -1e30;

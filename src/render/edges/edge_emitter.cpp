@@ -42,8 +42,12 @@ class NearPlaneGaps {
 
 }  // namespace
 
+bool has_surface(const world::Face& face) {
+  return face.kind == world::FaceKind::kLit && face.light != world::kNoLight;
+}
+
 TileGrid tile_grid(const world::Face& face) {
-  if (face.kind != world::FaceKind::kLit || face.light == world::kNoLight) return {};
+  if (!has_surface(face)) return {};
   const auto across = [](std::int32_t extent) {
     return static_cast<std::uint16_t>(std::max(1, (extent + kTileTexels - 1) / kTileTexels));
   };

@@ -29,6 +29,8 @@ constexpr int kTileTexels = 256;
 struct TileGrid {
   std::uint16_t s = 1, t = 1;
 };
+// Whether a face is drawn from a surface of its own; if not, from its texture.
+bool has_surface(const world::Face& face);
 TileGrid tile_grid(const world::Face& face);
 
 // One face on the screen, or one piece of a brush model's face.

@@ -1,8 +1,9 @@
 // Hot loop. Abrash, "Sorted Spans in Action": on each scan line the active edges are walked from left to
 // right, and a stack of surfaces, sorted by key, tells which is in front; when that changes, a span ends.
 //
-// Nothing depends on the order in which edges at one pixel are met: a surface counts the edges that it is
-// inside of, and a span that would be empty is not made.
+// Edges at one pixel may be met in any order: a surface counts the edges that it is inside of, and a span
+// that would be empty is not made. Their order is total all the same, for the sake of brush models that
+// touch.
 #include "render/edges/scan_band.h"
 
 #include <algorithm>
@@ -167,9 +168,8 @@ class BandScan {
     stack_[below].nearer = surface;
   }
 
-  // Brush models in one leaf have the same key: the nearer one is in front, and where two touch at
-  // the edge that begins, the one that comes nearer towards the right, or
-  // was entered first.
+  // Brush models in one leaf have the same key: the nearer one is in front, and where two touch at the edge
+  // that begins, the one that comes nearer towards the right, or was entered first.
   bool in_front(const StackEntry& begun, const StackEntry& other, double x) const {
     if (begun.key != other.key) return begun.key < other.key;
     const ScreenPlane& plane = table_.pieces[begun.piece].depth;

@@ -70,30 +70,15 @@ class Preparation {
       if (item.kind == ItemKind::kUnused) continue;
       item.surface = base::to_index<SurfaceIndex>(number);
       item.depth = depth;
+      item.kind = kind_of(face);
+      item.light_row = face.kind == world::FaceKind::kLit ? kLightNone : kLightAsStored;
+      item.texture = &level_.texture(texture_of(surface, face));
       item.mip =
           static_cast<std::uint8_t>(mip_of(surface, surface.first_item + tile, placed, depth, s, t, scratch));
-      item.texture = &level_.texture(texture_of(surface, face));
+      const math::Vec2d first = first_texel(surface, tile, *item.texture);
       const double scale = 1.0 / (1 << item.mip);
-      if (face.kind == world::FaceKind::kLit && face.light != world::kNoLight) {
-        const double tile_s = tile % surface.tiles.s * static_cast<double>(kTileTexels);
-        const double tile_t = tile / surface.tiles.s * static_cast<double>(kTileTexels);
-        item.s = scaled(shifted(view_, s, depth, -tile_s), scale);
-        item.t = scaled(shifted(view_, t, depth, -tile_t), scale);
-        continue;
-      }
-      // Not lit from samples: drawn from the texture itself, which repeats.
-      item.kind = face.kind == world::FaceKind::kSky      ? ItemKind::kSky
-                  : face.kind == world::FaceKind::kLiquid ? ItemKind::kLiquid
-                                                          : ItemKind::kTexture;
-      item.light_row = face.kind == world::FaceKind::kLit ? kLightNone : kLightAsStored;
-      if (item.kind == ItemKind::kLiquid) item.mip = 0;
-      const double texel = 1.0 / (1 << item.mip);
-      item.s = scaled(
-          shifted(view_, s, depth, face.texture_mins[0] % static_cast<std::int32_t>(item.texture->width)),
-          texel);
-      item.t = scaled(
-          shifted(view_, t, depth, face.texture_mins[1] % static_cast<std::int32_t>(item.texture->height)),
-          texel);
+      item.s = scaled(shifted(view_, s, depth, first.x), scale);
+      item.t = scaled(shifted(view_, t, depth, first.y), scale);
     }
   }
 
@@ -137,6 +122,23 @@ class Preparation {
     return world::animated_texture(level_, face.texture, scene_.time_s, frame);
   }
 
+  static ItemKind kind_of(const world::Face& face) {
+    if (has_surface(face)) return ItemKind::kSurface;
+    if (face.kind == world::FaceKind::kSky) return ItemKind::kSky;
+    return face.kind == world::FaceKind::kLiquid ? ItemKind::kLiquid : ItemKind::kTexture;
+  }
+
+  // From the face's first texel to the one that coordinates are to be counted from: its tile's first, or, for
+  // a texture that repeats, one where it begins.
+  math::Vec2d first_texel(const ScreenSurface& surface, std::uint32_t tile,
+                          const world::Texture& texture) const {
+    const world::Face& face = level_.face(surface.face);
+    if (has_surface(face))
+      return math::Vec2d(tile % surface.tiles.s, tile / surface.tiles.s) * -static_cast<double>(kTileTexels);
+    return {face.texture_mins[0] % static_cast<std::int32_t>(texture.width),
+            face.texture_mins[1] % static_cast<std::int32_t>(texture.height)};
+  }
+
   // Pieces of a face read from one block.
   static void count_use(const SurfaceCache::Lookup& lookup, FrameStats& io_stats) {
     if (!lookup.first_use) return;
@@ -159,9 +161,7 @@ class Preparation {
     request.contents.coloured =
         format_ == PixelFormat::kRgb && settings_.coloured_light && !level_.light_rgb.empty();
     for (std::size_t style = 0; style < face.style_count; ++style)
-      request.contents.style_values[style] = face.styles[style] < world::kLightStyles
-                                                 ? scene_.light_styles[face.styles[style]]
-                                                 : std::uint16_t{256};
+      request.contents.style_values[style] = scene_.light_styles[face.styles[style]];
     return request;
   }
   std::size_t slot_of(const SurfaceCache& cache, const BlockRequest& request) const {
@@ -172,10 +172,11 @@ class Preparation {
   int mip_of(const ScreenSurface& surface, std::uint32_t item, const FacePlacement& placed,
              const ScreenPlane& depth, const ScreenPlane& s, const ScreenPlane& t,
              base::Arena& scratch) const {
+    const DrawItem& drawn = items_[item];
+    if (drawn.kind == ItemKind::kLiquid) return 0;  // they sway by texels of mip 0
     if (settings_.force_mip >= 0) return std::min(settings_.force_mip, 3);
     // Mip levels of other sizes do not repeat where the texture does.
-    const world::Texture& texture = level_.texture(level_.face(surface.face).texture);
-    if (texture.width % 8 != 0 || texture.height % 8 != 0) return 0;
+    if (drawn.texture->width % 8 != 0 || drawn.texture->height % 8 != 0) return 0;
     if (settings_.mip_rule == MipRule::kFootprint) {
       // In the middle of what is seen of it.
       const PixelSum seen = seen_of_face(surface, item);
