@@ -47,6 +47,7 @@ class Bench {
         level_scene_(make_level_scene(map.level)),
         renderer_(map.look.palette, map.look.colormap),
         frame_(options.size.width, options.size.height, options.format),
+        floor_placement_(quickest_floor_placement(frame_)),
         jobs_(options.settings.threads, options.settings.job_backend) {
     for (const Viewpoint& viewpoint : all_viewpoints(*map.level))
       circles_.push_back(circle_views(viewpoint, options.fov_deg, options.step_deg));
@@ -59,7 +60,7 @@ class Bench {
   void present_frame() {
     if (!window_.empty()) render::present(frame_, palette_, options_.settings.vector_kernels, jobs_, window_);
   }
-  void run_floor() { fill_with_floor_loop(frame_); }
+  void run_floor() { fill_with_floor_loop(floor_placement_, frame_); }
   void drop_surfaces() { renderer_.drop_surfaces(); }
   const std::vector<std::vector<render::Camera>>& circles() const { return circles_; }
   std::size_t pixels() const { return frame_.pixel_count(); }
@@ -70,6 +71,7 @@ class Bench {
   LevelScene level_scene_;
   render::Renderer renderer_;
   render::FrameBuffer frame_;
+  int floor_placement_;
   base::Jobs jobs_;
   std::vector<std::uint32_t> window_;  // empty where frames need no palette expansion
   std::vector<std::vector<render::Camera>> circles_;
@@ -190,8 +192,9 @@ double floor_speedup_of_two_threads(FrameSize size, render::PixelFormat format) 
   constexpr int kRounds = 20;
   constexpr int kFillsPerRound = 8;  // long enough that starting a thread does not count
   render::FrameBuffer first(size.width, size.height, format), second(size.width, size.height, format);
-  const auto fill = [](render::FrameBuffer& frame) {
-    for (int i = 0; i < kFillsPerRound; ++i) fill_with_floor_loop(frame);
+  const int placement = quickest_floor_placement(first);
+  const auto fill = [placement](render::FrameBuffer& frame) {
+    for (int i = 0; i < kFillsPerRound; ++i) fill_with_floor_loop(placement, frame);
   };
   fill(second);  // its pages are there before the clock runs
   std::vector<double> alone_ms, together_ms;

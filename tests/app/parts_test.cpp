@@ -74,10 +74,13 @@ TEST(Distribution, OfNothingIsZero) {
   EXPECT_EQ(mean_of({1, 2, 6}), 3);
 }
 
-TEST(FloorLoop, ReadsTheTexelsThatItsStepsSay) {
+class FloorLoop : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Placements, FloorLoop, ::testing::Range(0, kFloorPlacements));
+
+TEST_P(FloorLoop, ReadsTheTexelsThatItsStepsSay) {
   constexpr int kWidth = 500, kHeight = 20;
   render::FrameBuffer frame(kWidth, kHeight, render::PixelFormat::kRgb);
-  fill_with_floor_loop(frame);
+  fill_with_floor_loop(GetParam(), frame);
   // Pixels whose texture coordinates fall on one texel have one colour, others another: the surface's texels
   // all differ.
   std::map<std::pair<std::int64_t, std::int64_t>, std::uint32_t> texels;
@@ -95,13 +98,13 @@ TEST(FloorLoop, ReadsTheTexelsThatItsStepsSay) {
   EXPECT_EQ(colours.size(), texels.size());
 }
 
-TEST(FloorLoop, FillsIndexedFramesWhole) {
+TEST_P(FloorLoop, FillsIndexedFramesWhole) {
   render::FrameBuffer frame(300, 7, render::PixelFormat::kIndexed);
   std::fill(frame.indexed().begin(), frame.indexed().end(), std::uint8_t{7});
-  fill_with_floor_loop(frame);
+  fill_with_floor_loop(GetParam(), frame);
   const std::vector<std::uint8_t> first(frame.indexed().begin(), frame.indexed().end());
   std::fill(frame.indexed().begin(), frame.indexed().end(), std::uint8_t{9});
-  fill_with_floor_loop(frame);
+  fill_with_floor_loop(GetParam(), frame);
   EXPECT_TRUE(std::equal(first.begin(), first.end(), frame.indexed().begin()));
 }
 
