@@ -35,6 +35,8 @@ RenderSettings::RenderSettings(command::Variables& variables) {
                                       "pixels and straight lines between, as the original.");
   vector_kernels_ = variables.add_bool("r_simd", defaults.vector_kernels,
                                        "Uses the processor's vector instructions; 0: the plain twins.");
+  prefetch_ = variables.add_bool("r_prefetch", defaults.prefetch,
+                                 "Asks for a surface's texels before it is drawn from.");
   surface_cache_ = variables.add_bool("r_surface_cache", defaults.surface_cache,
                                       "Keeps lit surfaces from frame to frame; 0: builds all anew.");
   cache_mb_ = variables.add_float("r_cache_mb", static_cast<double>(defaults.cache_bytes) / kBytesPerMebibyte,
@@ -60,6 +62,7 @@ render::Settings RenderSettings::read(const command::Variables& variables) const
   settings.force_mip = static_cast<int>(variables.int_value(force_mip_));
   settings.perspective = static_cast<render::Perspective>(variables.choice_value(perspective_));
   settings.vector_kernels = variables.bool_value(vector_kernels_);
+  settings.prefetch = variables.bool_value(prefetch_);
   settings.surface_cache = variables.bool_value(surface_cache_);
   settings.cache_bytes = static_cast<std::size_t>(variables.float_value(cache_mb_) * kBytesPerMebibyte);
   settings.use_pvs = variables.bool_value(use_pvs_);

@@ -24,6 +24,7 @@ struct Settings {
   int force_mip = -1;  // 0..3: every surface at that level
   Perspective perspective = Perspective::kExact;
   bool vector_kernels = true;  // false: the plain C++ twins
+  bool prefetch = true;        // asks for a surface's texels before drawing from them
   bool surface_cache = true;   // false: everything is built anew for each frame
   std::size_t cache_bytes = std::size_t{256} << 20;
   bool use_pvs = true;

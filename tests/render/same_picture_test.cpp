@@ -45,6 +45,7 @@ std::vector<NamedSettings> settings_of_one_picture() {
     add(fmt::format("a cache of {} bytes", bytes),
         [&](render::Settings& settings) { settings.cache_bytes = bytes; });
   add("plain kernels", [](render::Settings& settings) { settings.vector_kernels = false; });
+  add("no prefetching", [](render::Settings& settings) { settings.prefetch = false; });
   add("no cache", [](render::Settings& settings) { settings.surface_cache = false; });
   add("all of it", [](render::Settings& settings) {
     settings.threads = 8;

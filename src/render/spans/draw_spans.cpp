@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "render/spans/kernel_planes.h"
+#include "render/spans/prefetch_texels.h"
 #include "render/spans/repeat_runs.h"
 #include "render/spans/sky_runs.h"
 #include "render/spans/span_kernels.h"
@@ -98,6 +99,7 @@ void draw_spans(const Scene& scene, const Settings& settings, const ViewFrame& v
           draw_background(runs, tables, settings.fill_depth, io_frame);
           break;
         case ItemKind::kSurface:
+          if (settings.prefetch) prefetch_texels(item, runs, view.perspective, indexed ? 1 : 4);
           draw_surface(item, runs, divide, settings.vector_kernels, target, format);
           break;
         case ItemKind::kSky:

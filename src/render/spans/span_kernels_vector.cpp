@@ -43,6 +43,8 @@ using VF = hn::Vec<DF>;
 using VI = hn::Vec<DI>;
 
 constexpr int kMostLanes = 16;
+// Pixels. Finding out that a run stays inside its texture costs shorter ones more than it spares them.
+constexpr int kLongRun = 96;
 
 HWY_INLINE float At(const KernelPlane& plane, const SpanRun& run) {
   return static_cast<float>(plane.at_origin + plane.dx * run.x + plane.dy * run.y);
@@ -66,7 +68,12 @@ HWY_INLINE void StoreFirst(D d, hn::Vec<D> v, hn::TFromD<D>* out, int count) {
 constexpr float kShift = 12582912.0f;  // 1.5 * 2^23: room for numbers from -2^22 to 2^22
 constexpr int kBias = 0x4b400000;
 HWY_INLINE VI FloorBiased(VF v) {
+#if HWY_TARGET <= HWY_AVX3  // an addition that rounds down does both at once
+  return VI{_mm512_castps_si512(
+      _mm512_add_round_ps(v.raw, _mm512_set1_ps(kShift), _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC))};
+#else
   return hn::BitCast(DI(), hn::Add(hn::Floor(v), hn::Set(DF(), kShift)));
+#endif
 }
 
 // Column and row of each pixel's texel, kBias added.
@@ -127,6 +134,19 @@ HWY_INLINE void StoreTexels(hn::Vec<DU> texels, uint8_t* out, int count) {
     StoreFirst(D8(), bytes, out, count);
 }
 
+// Lane i is lane index[i] of the two vectors one after the other.
+HWY_INLINE hn::Vec<DU> PickOfTwo(hn::Vec<DU> first, hn::Vec<DU> second, hn::Vec<DU> index) {
+#if HWY_TARGET <= HWY_AVX3
+  return hn::Vec<DU>{_mm512_permutex2var_epi32(first.raw, index.raw, second.raw)};
+#else
+  const DU du;
+  const auto lanes = hn::Set(du, static_cast<uint32_t>(hn::Lanes(du)));
+  const auto pick = hn::IndicesFromVec(du, hn::And(index, hn::Sub(lanes, hn::Set(du, 1))));
+  const auto in_second = hn::Ne(hn::And(index, lanes), hn::Zero(du));
+  return hn::IfThenElse(in_second, hn::TableLookupLanes(second, pick), hn::TableLookupLanes(first, pick));
+#endif
+}
+
 // Seen from near, a vector of pixels shows a few neighbouring texels: whole pieces of rows are loaded, and
 // the pixels picked out of registers. False when the texels do not fit `kRows` rows of a vector's width.
 template <int kRows, typename Texel>
@@ -136,21 +156,27 @@ HWY_INLINE bool FetchWindow(const Texel* HWY_RESTRICT texels, const Rows& rows, 
   const DU du;
   const int lanes = static_cast<int>(hn::Lanes(di));
   int first_column = hn::GetLane(at.column) - kBias, first_row = hn::GetLane(at.row) - kBias;
-  if (direction.left) first_column = first_column < lanes ? 0 : first_column - lanes + 1;
-  if (direction.up) first_row = first_row < kRows ? 0 : first_row - kRows + 1;
+  const int back_columns = direction.left ? lanes - 1 : 0, back_rows = direction.up ? kRows - 1 : 0;
+  first_column = first_column < back_columns ? 0 : first_column - back_columns;
+  first_row = first_row < back_rows ? 0 : first_row - back_rows;
   const auto column = hn::BitCast(du, hn::Sub(at.column, hn::Set(di, first_column + kBias)));
   const auto row = hn::BitCast(du, hn::Sub(at.row, hn::Set(di, first_row + kBias)));
-  auto fits = hn::And(hn::Lt(column, hn::Set(du, static_cast<uint32_t>(lanes))),
-                      hn::Lt(row, hn::Set(du, static_cast<uint32_t>(kRows))));
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(DU()));
+  // Both are powers of two, so that one comparison tells of column < lanes and row < kRows.
+  constexpr int kRowShift = hwy::FloorLog2(static_cast<uint32_t>(kLanes / kRows));
+  auto fits =
+      hn::Lt(hn::Or(column, hn::ShiftLeft<kRowShift>(row)), hn::Set(du, static_cast<uint32_t>(lanes)));
   if (count < lanes) fits = hn::Or(fits, hn::Not(hn::FirstN(du, static_cast<size_t>(count))));
   if (!hn::AllTrue(du, fits)) return false;
-  const auto pick = hn::IndicesFromVec(du, hn::And(column, hn::Set(du, static_cast<uint32_t>(lanes - 1))));
   const Texel* piece = texels + first_row * rows.texels_a_row + first_column;
-  auto colours = hn::TableLookupLanes(LoadTexels(piece), pick);
-  for (int r = 1; r < kRows; ++r) {
-    if (first_row + r <= rows.last_row) piece += rows.texels_a_row;
-    const auto here = hn::Eq(row, hn::Set(du, static_cast<uint32_t>(r)));
-    colours = hn::IfThenElse(here, hn::TableLookupLanes(LoadTexels(piece), pick), colours);
+  const Texel* next = piece + (first_row < rows.last_row ? rows.texels_a_row : 0);
+  const auto index = hn::Or(column, hn::ShiftLeft<hwy::FloorLog2(static_cast<uint32_t>(kLanes))>(row));
+  auto colours = PickOfTwo(LoadTexels(piece), LoadTexels(next), index);
+  if constexpr (kRows == 4) {
+    const Texel* third = next + (first_row + 1 < rows.last_row ? rows.texels_a_row : 0);
+    const Texel* fourth = third + (first_row + 2 < rows.last_row ? rows.texels_a_row : 0);
+    const auto far = PickOfTwo(LoadTexels(third), LoadTexels(fourth), index);
+    colours = hn::IfThenElse(hn::Gt(row, hn::Set(du, 1u)), far, colours);
   }
   StoreTexels(colours, out, count);
   return true;
@@ -165,8 +191,8 @@ HWY_INLINE hn::Vec<DU> GatherTexels(const uint8_t* texels, VI numbers) {
                  hn::Set(DU(), 255));
 }
 
-// Texels one by one, their numbers two to a load; the last few of a span by a gather, which is slower for
-// many but spares a loop whose end cannot be foreseen.
+// Texels one by one; the last few of a span by a gather, which is slower for many but spares a loop whose end
+// cannot be foreseen.
 template <typename Texel>
 HWY_INLINE void FetchScattered(const Texel* HWY_RESTRICT texels, const Rows& rows, const TexelLanes& at,
                                Texel* HWY_RESTRICT out, int count) {
@@ -184,11 +210,8 @@ HWY_INLINE void FetchScattered(const Texel* HWY_RESTRICT texels, const Rows& row
   HWY_ALIGN uint32_t numbers[kMostLanes];
   hn::Store(hn::BitCast(du, positions), du, numbers);
   KeepInMemory();  // or the compiler takes the numbers out of the vector lane by lane, which is slower
-  for (int i = 0; i < kLanes; i += 2) {
-    uint64_t two;
-    __builtin_memcpy(&two, numbers + i, sizeof(two));
-    out[i] = texels[two & 0xffffffffu];
-    out[i + 1] = texels[two >> 32];
+  for (int i = 0; i < kLanes; ++i) {
+    out[i] = texels[numbers[i]];
     KeepInMemory();
   }
 }
@@ -241,16 +264,16 @@ struct Walk {
     return first_s > kMargin && last_s > kMargin && first_t > kMargin && last_t > kMargin &&
            first_s < most_s && last_s < most_s && first_t < most_t && last_t < most_t;
   }
-  // Rows of texels under a vector of pixels where they are farthest apart; 0: more than four, or too long.
+  // Rows of texels under a vector of pixels where they are farthest apart (z squared is 1 / square); 0: more
+  // than four, or more than a texel a pixel.
   HWY_INLINE int RowsNeeded(const RunLines& lines, int count) const {
     const float last = lines.depth.base + static_cast<float>(count - 1) * lines.depth.step;
     const float least = last < lines.depth.base ? last : lines.depth.base;
     if (!(least > kFarthest)) return 0;
-    const float lanes = static_cast<float>(hn::Lanes(DF())) - 1.0f;
-    const float pixels = lanes / (least * least);
-    const float columns = pixels * (s_change < 0 ? -s_change : s_change);
-    const float rows = pixels * (t_change < 0 ? -t_change : t_change);
-    return columns > lanes || rows > 3.0f ? 0 : rows > 1.0f ? 4 : 2;
+    const float square = least * least;
+    const float columns = s_change < 0 ? -s_change : s_change;
+    const float rows = (t_change < 0 ? -t_change : t_change) * (static_cast<float>(hn::Lanes(DF())) - 1.0f);
+    return columns > square || rows > 3.0f * square ? 0 : rows > square ? 4 : 2;
   }
 };
 
@@ -286,7 +309,7 @@ HWY_INLINE void DrawEveryPixel(const RunLines& lines, const Sampler& sampler, co
   const Walk walk(lines);
   const Texel* texels = static_cast<const Texel*>(runs.texels);
   const int rows = walk.RowsNeeded(lines, count);
-  const bool inside = rows > 0 && walk.Inside(lines, runs, count);
+  const bool inside = count >= kLongRun && rows > 0 && walk.Inside(lines, runs, count);
   if (rows == 2 && inside)
     DrawVectors<2, true>(lines, sampler, walk.Way(), texels, count, out, out_depth);
   else if (rows == 2)
