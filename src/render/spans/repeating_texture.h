@@ -42,6 +42,10 @@ RepeatingTexture copy_repeating(const TexturePart& part, Convert convert, base::
   for (std::uint32_t y = 0; y < height; ++y) {
     const std::uint8_t* row = part.texture.mips[static_cast<std::size_t>(part.mip)].data() +
                               std::uint64_t{y} * full_height / height * full_width + part.left;
+    if (width == part.width) {  // nearly always, and a division a texel would show in the frame's time
+      for (std::uint32_t x = 0; x < width; ++x) *out++ = convert(row[x]);
+      continue;
+    }
     for (std::uint32_t x = 0; x < width; ++x) *out++ = convert(row[std::uint64_t{x} * part.width / width]);
   }
   std::fill(texels.end() - kTexelPadding, texels.end(), Texel{0});
