@@ -7,14 +7,17 @@ ModelView make_model_view(const BrushModelInstance& instance) {
   return {math::Vec3d(instance.origin_world), basis.forward, -basis.right, basis.up};
 }
 
-FacePlacement place_face(const world::Level& level, const world::Face& face, const ModelView& model_view) {
+FacePlane place_plane(const world::Level& level, const world::Face& face, const ModelView& model_view) {
   const world::Plane& plane = level.planes[face.plane];
-  const world::TextureAxes& axes = level.texture_axes[face.axes];
   const double sign = face.back_side ? -1.0 : 1.0;
+  const math::Vec3d normal = model_view.direction_to_world(math::Vec3d(plane.normal) * sign);
+  return {normal, static_cast<double>(plane.distance) * sign + glm::dot(normal, model_view.origin_world)};
+}
+
+FacePlacement place_face(const world::Level& level, const world::Face& face, const ModelView& model_view) {
+  const world::TextureAxes& axes = level.texture_axes[face.axes];
   FacePlacement placed;
-  placed.normal = model_view.direction_to_world(math::Vec3d(plane.normal) * sign);
-  placed.distance =
-      static_cast<double>(plane.distance) * sign + glm::dot(placed.normal, model_view.origin_world);
+  static_cast<FacePlane&>(placed) = place_plane(level, face, model_view);
   placed.s_axis = model_view.direction_to_world(math::Vec3d(axes.s_axis));
   placed.t_axis = model_view.direction_to_world(math::Vec3d(axes.t_axis));
   placed.s_offset = static_cast<double>(axes.s_offset) - glm::dot(placed.s_axis, model_view.origin_world) -

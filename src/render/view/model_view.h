@@ -17,11 +17,16 @@ struct ModelView {
 
 ModelView make_model_view(const BrushModelInstance& instance);
 
-// A face's plane and texture axes in the world, wherever its model stands. The plane looks where the face
-// does.
-struct FacePlacement {
+// A face's plane in the world, wherever its model stands. It looks where the face does.
+struct FacePlane {
   math::Vec3d normal;
   double distance;
+};
+
+FacePlane place_plane(const world::Level& level, const world::Face& face, const ModelView& model_view);
+
+// And its texture axes.
+struct FacePlacement : FacePlane {
   math::Vec3d s_axis, t_axis;  // texels a unit
   double s_offset, t_offset;   // from the surface's first texel (Face::texture_mins)
 };

@@ -133,8 +133,8 @@ class Walk {
   }
 
   double facing_of(const world::Face& face) const {
-    const FacePlacement placed = place_face(level_, face, ModelView{});
-    return facing(view_, placed.normal, placed.distance);
+    const FacePlane plane = place_plane(level_, face, ModelView{});
+    return facing(view_, plane.normal, plane.distance);
   }
 
   static constexpr std::uint8_t kInPvs = 1, kReached = 2;
