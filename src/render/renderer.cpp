@@ -87,11 +87,13 @@ struct Renderer::State {
   BuildTables build_tables;
   std::optional<base::Jobs> jobs;
   base::JobBackend job_backend{};
-  base::Arena arena, piece_arena;
+  base::Arena arena;
+  std::vector<EdgeJobArenas> edge_arenas;
   std::vector<base::Arena> band_arenas, job_arenas;
   std::vector<std::uint8_t> pvs_row;
   std::shared_ptr<const world::LevelIdentity> level;
   LevelTables level_tables;
+  FaceOutlines face_outlines;
   SurfaceCache cache;
 
   // The last frame, for pixel_faces: it lives in the arenas until the next one.
@@ -110,6 +112,7 @@ struct Renderer::State {
     if (level == now.identity) return;
     level = now.identity;
     level_tables = make_level_tables(now);
+    face_outlines = make_face_outlines(now);
   }
 };
 
@@ -141,7 +144,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   const VisibleFaces visible =
       find_visible_faces(*scene.level, s.level_tables, view, settings.use_pvs, s.arena, s.pvs_row);
   clock.end(Stage::kVisibility);
-  s.edges = emit_edges(scene, view, visible, s.arena, s.piece_arena);
+  s.edges = emit_edges(scene, view, visible, s.face_outlines, *s.jobs, s.arena, s.edge_arenas);
   clock.end(Stage::kEdges);
   s.spans = scan_edges(s.edges, scene, view, band_rows, *s.jobs, s.arena, s.band_arenas);
   clock.end(Stage::kScan);

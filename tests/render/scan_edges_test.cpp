@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/edges/edge_emitter.h"
+#include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
 #include "support/effort.h"
 #include "support/random.h"
@@ -292,7 +292,19 @@ TEST(ScanEdges, OrdersWallsThatTouchByTheirSlopes) {
   }
 }
 
-// ---- Tables from the emitter: triangles between a few points share their edges in every way there is.
+// ---- Tables from emit_edges: triangles between a few points share their edges in every way there is.
+
+// The level's faces without its tree.
+EdgeTable emit(const world::Level& level, const ViewFrame& view, std::span<const render::VisibleFace> faces,
+               base::Arena& arena) {
+  render::Scene scene;
+  scene.level = &level;
+  render::VisibleFaces visible;
+  visible.faces = faces;
+  base::Jobs jobs(1);
+  std::vector<render::EdgeJobArenas> job_arenas;
+  return render::emit_edges(scene, view, visible, render::make_face_outlines(level), jobs, arena, job_arenas);
+}
 
 struct Triangle {
   std::array<std::uint32_t, 3> vertices;
@@ -305,18 +317,18 @@ struct SolidCase {
   world::Level level;
   ViewFrame view;
   std::vector<Triangle> triangles;
+  std::vector<render::VisibleFace> faces;
 
   explicit SolidCase(Random& random) {
     make_view(random);
     make_vertices(random);
     level.edges.push_back({});  // no surfedge can say edge 0 backwards: unused, as in files
     for (std::size_t i = 1 + random.below(random.chance(0.5) ? 6 : 40); i > 0; --i) add_triangle(random);
-  }
-  EdgeTable emit(base::Arena& arena) const {
-    render::EdgeEmitter emitter(level, view, arena);
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-      emitter.add_world_face({base::to_index<world::FaceIndex>(i), triangles[i].key});
-    return emitter.finish({});
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      faces.push_back({base::to_index<world::FaceIndex>(i), triangles[i].key});
+      // A file may name a face twice. Behind itself it changes nothing.
+      if (random.chance(0.1)) faces.push_back({faces.back().face, triangles[i].key + 500});
+    }
   }
 
   // Twice the volume between the pixel's ray and the side from a to b, seen from the eye (in parallel, from
@@ -423,7 +435,7 @@ TEST(EmittedEdges, ShowTheTriangleWithTheSmallestKey) {
     Random random(static_cast<std::uint64_t>(seed));
     const SolidCase solid(random);
     base::Arena arena;
-    const EdgeTable table = solid.emit(arena);
+    const EdgeTable table = emit(solid.level, solid.view, solid.faces, arena);
     const auto pixels = pixels_of(scan(table, {}, solid.view, solid.view.height), solid.view);
     ASSERT_FALSE(HasFailure());
     // Items are surfaces: none of the faces has tiles.
@@ -454,7 +466,6 @@ struct TiledCase {
   world::Level level;
   render::Scene scene;
   ViewFrame view;
-  render::ModelView world_view;
   base::Arena arena;
   EdgeTable table;
 
@@ -485,9 +496,8 @@ struct TiledCase {
     if (random.chance(0.4)) scene.camera.projection = render::Projection::kOrthographic;
     scene.camera.units_per_pixel = static_cast<float>(random.log_uniform(0.2, 4));
     view = render::make_view_frame(scene, 160, 100);
-    render::EdgeEmitter emitter(level, view, arena);
-    emitter.add_world_face({world::FaceIndex{0}, 1});
-    table = emitter.finish({&world_view, 1});
+    const render::VisibleFace visible{world::FaceIndex{0}, 1};
+    table = emit(level, view, {&visible, 1}, arena);
   }
   TiledCase(const TiledCase&) = delete;
   TiledCase& operator=(const TiledCase&) = delete;

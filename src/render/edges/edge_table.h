@@ -2,10 +2,14 @@
 // between two neighbours stored once (Abrash, "Sorted Spans in Action").
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "base/arena.h"
+#include "base/parallel_for.h"
+#include "render/edges/face_outlines.h"
 #include "render/scene.h"
 #include "render/view/model_view.h"
 #include "render/view/visible_faces.h"
@@ -23,15 +27,6 @@ struct Edge {
   std::int32_t first_row, last_row;
   SurfaceIndex leading, trailing;
 };
-
-// Lit faces are cut into surfaces of at most this many texels (of mip 0) each way.
-constexpr int kTileTexels = 256;
-struct TileGrid {
-  std::uint16_t s = 1, t = 1;
-};
-// Whether a face is drawn from a surface of its own; if not, from its texture.
-bool has_surface(const world::Face& face);
-TileGrid tile_grid(const world::Face& face);
 
 // One face on the screen, or one piece of a brush model's face.
 struct ScreenSurface {
@@ -60,8 +55,18 @@ struct EdgeTable {
   std::uint32_t item_count = 0;            // item 0 is the background
 };
 
-// `io_scratch` is used up and reset for each face of a brush model.
+// Scratch of one job: of all its faces, and of the one that is being cut.
+struct EdgeJobArenas {
+  base::Arena faces, pieces;
+};
+
+// A job of fewer faces is over before another thread has woken up.
+constexpr std::size_t kFacesAnEdgeJob = 128;
+
+// `outlines` are those of the scene's level. The same table comes out for any number of threads and of faces
+// a job; one thread has one job.
 EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFaces& visible,
-                     base::Arena& arena, base::Arena& io_scratch);
+                     const FaceOutlines& outlines, base::Jobs& jobs, base::Arena& arena,
+                     std::vector<EdgeJobArenas>& io_job_arenas, std::size_t faces_a_job = kFacesAnEdgeJob);
 
 }  // namespace temblor::render

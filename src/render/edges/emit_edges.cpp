@@ -1,9 +1,13 @@
-// World faces go in as they are; faces of brush models are first cut at the world's leafs, so that every
-// piece takes its leaf's place in the front-to-back order (Abrash, "The Big Picture").
+// Two passes over the faces, each in parallel, with what they must agree on between them: outlines on the
+// screen, then the surfaces' numbers, then edges. Each job has a run of the faces; as runs are put together
+// in order, it does not matter where they were cut.
 #include <algorithm>
-#include <array>
+#include <limits>
+#include <memory>
+#include <utility>
 
 #include "base/check.h"
+#include "render/edges/brush_pieces.h"
 #include "render/edges/edge_emitter.h"
 #include "render/edges/edge_table.h"
 
@@ -11,84 +15,8 @@ namespace temblor::render {
 
 namespace {
 
-// Corners nearer to a plane than this lie on it: no slivers.
-constexpr double kOnPlane = 1.0 / 64;
-
-using Corners = std::span<const math::Vec3d>;
-
-struct Halves {
-  Corners front, back;
-};
-
-// Cuts a polygon in two; a corner on the plane belongs to both. Points of the cut are worked out from the
-// front corner to the back one, so that neighbours cut the edge that they share in the same place.
-Halves split(Corners corners, const math::Vec3d& normal, double distance, base::Arena& arena) {
-  base::ArenaVector<math::Vec3d> front(arena, corners.size() + 4), back(arena, corners.size() + 4);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const math::Vec3d &here = corners[i], &next = corners[(i + 1) % corners.size()];
-    const double d_here = glm::dot(normal, here) - distance, d_next = glm::dot(normal, next) - distance;
-    if (d_here >= -kOnPlane) front.push_back(here);
-    if (d_here <= kOnPlane) back.push_back(here);
-    if ((d_here > kOnPlane && d_next < -kOnPlane) || (d_here < -kOnPlane && d_next > kOnPlane)) {
-      const bool here_in_front = d_here > 0;
-      const math::Vec3d &a = here_in_front ? here : next, &b = here_in_front ? next : here;
-      const double d_a = here_in_front ? d_here : d_next, d_b = here_in_front ? d_next : d_here;
-      const math::Vec3d cut = a + (b - a) * (d_a / (d_a - d_b));
-      front.push_back(cut);
-      back.push_back(cut);
-    }
-  }
-  return {front.view(), back.view()};
-}
-
-struct BrushFace {
-  std::uint32_t instance;
-  world::FaceIndex face;
-  math::Vec3d normal;
-  ScreenPlane depth;
-};
-
-// Hands every piece of the polygon that lies in a visited leaf to the emitter.
-void emit_pieces(const world::Level& level, const VisibleFaces& visible, const BrushFace& face,
-                 Corners corners, base::Arena& arena, EdgeEmitter& io_emitter) {
-  struct Part {
-    world::Child child;
-    Corners corners;
-  };
-  base::ArenaVector<Part> open(arena, 32);
-  open.push_back({level.world().head, corners});
-  while (!open.empty()) {
-    const Part part = open.back();
-    open.pop_back();
-    if (part.child.is_leaf()) {
-      const std::size_t leaf = base::to_size(part.child.leaf());
-      const SortKey key = visible.leaf_keys[leaf];
-      if (key != kNotVisited && level.leafs[leaf].contents != world::Contents::kSolid)
-        io_emitter.add_piece(part.corners, face.instance, face.face, key, face.depth);
-      continue;
-    }
-    if (visible.node_marked[base::to_size(part.child.node())] == 0) continue;
-    const world::Node& node = level.node(part.child.node());
-    const world::Plane& plane = level.planes[node.plane];
-    const math::Vec3d normal(plane.normal);
-    const double distance = static_cast<double>(plane.distance);
-    bool any_front = false, any_back = false;
-    for (const math::Vec3d& corner : part.corners) {
-      const double d = glm::dot(normal, corner) - distance;
-      any_front |= d > kOnPlane;
-      any_back |= d < -kOnPlane;
-    }
-    if (any_front && any_back) {
-      const Halves halves = split(part.corners, normal, distance, arena);
-      open.push_back({node.children[0], halves.front});
-      open.push_back({node.children[1], halves.back});
-    } else {
-      // A face that lies in the plane belongs to the side it looks to.
-      const bool to_front = any_front || (!any_back && glm::dot(normal, face.normal) >= 0);
-      open.push_back({node.children[to_front ? 0 : 1], part.corners});
-    }
-  }
-}
+// More than one, as faces are not equally much work; not many, as each counts edges row by row.
+constexpr std::size_t kJobsAThread = 4;
 
 // Whether the model may be on the screen: a sphere round it against the frustum.
 bool in_frustum(const ViewFrame& view, const ModelView& model_view, const math::Bounds& bounds) {
@@ -100,45 +28,163 @@ bool in_frustum(const ViewFrame& view, const ModelView& model_view, const math::
   });
 }
 
-void emit_brush_model(const Scene& scene, std::uint32_t instance, const ViewFrame& view,
-                      const ModelView& model_view, const VisibleFaces& visible, base::Arena& io_scratch,
-                      EdgeEmitter& io_emitter) {
+// A brush model that may be on the screen, and where its faces stand in the sequence of all faces: those of
+// the world are first.
+struct ShownModel {
+  std::uint32_t instance;
+  std::size_t first_face;  // of the level
+  std::size_t begin, end;  // of the sequence
+};
+
+struct FaceSequence {
+  std::span<const ModelView> model_views;
+  std::span<const ShownModel> models;
+  std::size_t face_count;
+};
+
+FaceSequence line_up_faces(const Scene& scene, const ViewFrame& view, std::size_t world_faces,
+                           base::Arena& arena) {
   const world::Level& level = *scene.level;
-  const world::Model& model = level.models[base::to_size(scene.brush_models[instance - 1].model)];
-  if (!in_frustum(view, model_view, model.bounds)) return;
-  for (std::uint32_t i = model.first_face; i < model.first_face + model.face_count; ++i) {
-    const world::Face& face = level.faces[i];
-    const FacePlacement placed = place_face(level, face, model_view);
-    if (facing(view, placed.normal, placed.distance) < kEdgeOn) continue;
-    io_scratch.reset();
-    std::span<math::Vec3d> corners = io_scratch.allocate<math::Vec3d>(face.surfedge_count);
-    for (std::uint32_t corner = 0; corner < face.surfedge_count; ++corner)
-      corners[corner] = model_view.to_world(
-          math::Vec3d(level.vertices[level.surfedge_start(face.first_surfedge + corner)]));
-    emit_pieces(level, visible,
-                {instance, base::to_index<world::FaceIndex>(i), placed.normal,
-                 depth_plane(view, placed.normal, placed.distance)},
-                corners, io_scratch, io_emitter);
+  std::span<ModelView> model_views = arena.allocate<ModelView>(scene.brush_models.size() + 1);
+  base::ArenaVector<ShownModel> shown(arena, scene.brush_models.size());
+  model_views[0] = ModelView{};
+  std::size_t end = world_faces;
+  for (std::uint32_t instance = 1; instance < model_views.size(); ++instance) {
+    const BrushModelInstance& placed = scene.brush_models[instance - 1];
+    CHECK(base::to_size(placed.model) < level.models.size(), "instance {}", instance);
+    const world::Model& model = level.models[base::to_size(placed.model)];
+    model_views[instance] = make_model_view(placed);
+    if (!in_frustum(view, model_views[instance], model.bounds)) continue;
+    shown.push_back({instance, model.first_face, end, end + model.face_count});
+    end += model.face_count;
   }
+  return {model_views, shown.view(), end};
+}
+
+// Surfaces of all jobs, one job's after another's.
+struct NumberedSurfaces {
+  std::span<ScreenSurface> surfaces;
+  std::span<Piece> pieces;
+  std::span<SurfaceIndex> first_of_job;
+  std::span<SurfaceIndex> of_face;  // of the world; kBackground: not on the screen
+  std::uint32_t item_count = 1;     // item 0 is the background
+};
+
+NumberedSurfaces number_surfaces(std::span<const EdgeEmitter> emitters, std::size_t level_faces,
+                                 base::Arena& arena) {
+  std::size_t surface_count = 1, piece_count = 0;
+  for (const EdgeEmitter& emitter : emitters) {
+    surface_count += emitter.surfaces().size();
+    piece_count += emitter.pieces().size();
+  }
+  NumberedSurfaces numbered{arena.allocate<ScreenSurface>(surface_count), arena.allocate<Piece>(piece_count),
+                            arena.allocate<SurfaceIndex>(emitters.size()),
+                            arena.allocate_filled<SurfaceIndex>(level_faces, kBackground)};
+  numbered.surfaces[0] = {std::numeric_limits<SortKey>::max(), 0, world::FaceIndex{0}, 0, {}, 0, 0};
+  std::size_t number = 1;
+  std::uint32_t pieces_before = 0;
+  for (std::size_t job = 0; job < emitters.size(); ++job) {
+    numbered.first_of_job[job] = base::to_index<SurfaceIndex>(number);
+    for (ScreenSurface surface : emitters[job].surfaces()) {
+      surface.first_item += numbered.item_count;
+      if (surface.instance == 0)
+        numbered.of_face[base::to_size(surface.face)] = base::to_index<SurfaceIndex>(number);
+      else
+        surface.piece += pieces_before;
+      numbered.surfaces[number++] = surface;
+    }
+    std::copy(emitters[job].pieces().begin(), emitters[job].pieces().end(),
+              numbered.pieces.begin() + pieces_before);
+    pieces_before += static_cast<std::uint32_t>(emitters[job].pieces().size());
+    numbered.item_count += emitters[job].item_count();
+  }
+  return numbered;
+}
+
+// Where the edges of each job go: in `order`, after those of the rows above and those of the same row from
+// the jobs before it.
+struct EdgePlaces {
+  std::span<std::uint32_t> row_begin;
+  std::span<std::size_t> first_of_job;
+  std::size_t edge_count;
+};
+
+// Counting sort by first row. Each emitter's counts become the places of its edges.
+EdgePlaces place_edges(std::span<EdgeEmitter> io_emitters, std::size_t rows, base::Arena& arena) {
+  EdgePlaces places{arena.allocate<std::uint32_t>(rows + 1), arena.allocate<std::size_t>(io_emitters.size()),
+                    0};
+  for (std::size_t job = 0; job < io_emitters.size(); ++job) {
+    places.first_of_job[job] = places.edge_count;
+    places.edge_count += io_emitters[job].edges().size();
+  }
+  std::uint32_t before = 0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    places.row_begin[row] = before;
+    for (EdgeEmitter& emitter : io_emitters) before += std::exchange(emitter.edges_by_row()[row], before);
+  }
+  places.row_begin[rows] = before;
+  return places;
+}
+
+// One job's edges to their places.
+void gather_edges(EdgeEmitter& io_emitter, std::size_t first, std::span<Edge> out_edges,
+                  std::span<std::uint32_t> out_order) {
+  const std::span<std::uint32_t> place_in_row = io_emitter.edges_by_row();
+  std::size_t number = first;
+  for (const Edge& edge : io_emitter.edges()) {
+    out_order[place_in_row[static_cast<std::size_t>(edge.first_row)]++] = static_cast<std::uint32_t>(number);
+    out_edges[number++] = edge;
+  }
+}
+
+std::size_t choose_job_count(std::size_t faces, std::size_t faces_a_job, int threads) {
+  if (threads == 1) return 1;
+  return std::clamp<std::size_t>(faces / faces_a_job, 1, static_cast<std::size_t>(threads) * kJobsAThread);
 }
 
 }  // namespace
 
 EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFaces& visible,
-                     base::Arena& arena, base::Arena& io_scratch) {
-  const world::Level& level = *scene.level;
-  EdgeEmitter emitter(level, view, arena);
-  for (const VisibleFace& face : visible.faces) emitter.add_world_face(face);
+                     const FaceOutlines& outlines, base::Jobs& jobs, base::Arena& arena,
+                     std::vector<EdgeJobArenas>& io_job_arenas, std::size_t faces_a_job) {
+  const std::size_t world_faces = visible.faces.size();
+  const FaceSequence sequence = line_up_faces(scene, view, world_faces, arena);
+  const std::size_t job_count = choose_job_count(sequence.face_count, faces_a_job, jobs.threads());
+  if (io_job_arenas.size() < job_count) io_job_arenas.resize(job_count);
+  std::span<EdgeEmitter> emitters = arena.allocate<EdgeEmitter>(job_count);
 
-  std::span<ModelView> model_views = arena.allocate<ModelView>(scene.brush_models.size() + 1);
-  model_views[0] = ModelView{};
-  for (std::uint32_t instance = 1; instance < model_views.size(); ++instance) {
-    CHECK(base::to_size(scene.brush_models[instance - 1].model) < level.models.size(), "instance {}",
-          instance);
-    model_views[instance] = make_model_view(scene.brush_models[instance - 1]);
-    emit_brush_model(scene, instance, view, model_views[instance], visible, io_scratch, emitter);
-  }
-  return emitter.finish(model_views);
+  jobs.parallel_for(job_count, [&](std::size_t job) {
+    EdgeJobArenas& arenas = io_job_arenas[job];
+    arenas.faces.reset();
+    EdgeEmitter& emitter = *std::construct_at(&emitters[job], view, arenas.faces);
+    const std::size_t begin = sequence.face_count * job / job_count;
+    const std::size_t end = sequence.face_count * (job + 1) / job_count;
+    for (std::size_t i = begin; i < std::min(end, world_faces); ++i)
+      emitter.add_world_face(visible.faces[i], outlines);
+    for (const ShownModel& model : sequence.models)
+      for (std::size_t i = std::max(begin, model.begin); i < std::min(end, model.end); ++i)
+        add_brush_face(scene, view, visible, outlines, sequence.model_views[model.instance], model.instance,
+                       base::to_index<world::FaceIndex>(model.first_face + (i - model.begin)), arenas.pieces,
+                       emitter);
+  });
+  const NumberedSurfaces numbered = number_surfaces(emitters, scene.level->faces.size(), arena);
+  jobs.parallel_for(job_count, [&](std::size_t job) {
+    emitters[job].make_edges(numbered.first_of_job[job], numbered.of_face);
+  });
+
+  const EdgePlaces places = place_edges(emitters, static_cast<std::size_t>(view.height), arena);
+  std::span<Edge> edges = arena.allocate<Edge>(places.edge_count);
+  std::span<std::uint32_t> order = arena.allocate<std::uint32_t>(places.edge_count);
+  jobs.parallel_for(job_count, [&](std::size_t job) {
+    gather_edges(emitters[job], places.first_of_job[job], edges, order);
+  });
+  return {edges,
+          order,
+          places.row_begin,
+          numbered.surfaces,
+          numbered.pieces,
+          sequence.model_views,
+          numbered.item_count};
 }
 
 }  // namespace temblor::render
