@@ -54,7 +54,7 @@ void expect_equal(const EdgeTable& expected, const EdgeTable& table) {
 }
 
 void expect_same_for_any_jobs(const world::Level& level) {
-  constexpr int kViews = effort(20, 3);
+  constexpr int kViews = effort(20, 10);
   const render::LevelTables level_tables = render::make_level_tables(level);
   const render::FaceOutlines outlines = render::make_face_outlines(level);
   base::Jobs one(1), two(2, base::JobBackend::kStdThread), four(4, base::JobBackend::kStdThread);
