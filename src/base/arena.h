@@ -65,6 +65,18 @@ class ArenaVector {
   void pop_back() { --size_; }
   void clear() { size_ = 0; }
   void shrink(std::size_t size) { size_ = size; }  // size <= size()
+  // New elements are uninitialized.
+  void resize(std::size_t size) {
+    if (size > room_.size()) [[unlikely]]
+      grow(size * 2);
+    size_ = size;
+  }
+  // Adds `count` uninitialized elements and returns the first.
+  T* extend(std::size_t count) {
+    const std::size_t begin = size_;
+    resize(begin + count);
+    return room_.data() + begin;
+  }
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
