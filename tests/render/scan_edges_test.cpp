@@ -292,6 +292,51 @@ TEST(ScanEdges, OrdersWallsThatTouchByTheirSlopes) {
   }
 }
 
+// Planes of one key that cross: which is in front where the second begins changes from row to row, though the
+// same edges cross all of them in the same order.
+TEST(ScanEdges, ComparesDepthsOnEveryRow) {
+  ViewFrame view;
+  view.width = 64;
+  view.height = 48;
+  for (const double dy : {-0.01, 0.01}) {
+    std::vector<ScreenPolygon> walls(2);
+    walls[0] = {{{10.5, -5}, {40.5, -5}, {40.5, 60}, {10.5, 60}}, 1, {1 - dy * 20.25, 0, dy}};
+    walls[1] = {{{20.5, -5}, {50.5, -5}, {50.5, 60}, {20.5, 60}}, 1, {1, 0, 0}};
+    const HandMadeTable table(view, walls);
+    const auto pixels = pixels_of(scan(table.view(), {}, view, view.height), view);
+    for (int y = 0; y < view.height; ++y) {
+      const bool first_in_front = dy * (y - 20.25) > 0;
+      for (int x = 0; x < view.width; ++x) {
+        const std::uint32_t overlap = first_in_front ? 1 : 2;
+        ASSERT_EQ(pixels[static_cast<std::size_t>(y * view.width + x)], x < 11 || x > 50 ? 0u
+                                                                        : x < 21         ? 1u
+                                                                        : x > 40         ? 2u
+                                                                                         : overlap)
+            << x << ", " << y;
+      }
+    }
+  }
+}
+
+// A band of one row is scanned without a row above to learn from. Edges stand in few places, so that many
+// meet, and planes cross.
+TEST(ScanEdges, FindsOnEveryRowWhatItFindsWithoutTheRowAbove) {
+  for (int seed = 0; seed < effort(150, 15); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    HandMadeCase hand_made(random);
+    for (ScreenPolygon& polygon : hand_made.polygons) {
+      polygon.key = static_cast<render::SortKey>(1 + random.below(4));
+      polygon.depth = {random.uniform(0.5, 2), random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02)};
+      if (random.chance(0.5))
+        for (Vec2d& corner : polygon.corners) corner = Vec2d(std::round(corner.x / 8) * 8, corner.y);
+    }
+    const HandMadeTable table(hand_made.view, hand_made.polygons);
+    expect_same_in_any_bands(table.view(), {}, hand_made.view);
+    if (HasFatalFailure()) return;
+  }
+}
+
 // ---- Tables from emit_edges: triangles between a few points share their edges in every way there is.
 
 // The level's faces without its tree.
