@@ -1,27 +1,22 @@
 #include "base/arena.h"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace temblor::base {
 
 namespace {
 
-constexpr std::size_t kAlignment = 64;
 constexpr std::size_t kFirstBlockBytes = 64 * 1024;
 
 std::size_t round_up(std::size_t bytes) {
-  return (bytes + kAlignment - 1) / kAlignment * kAlignment;
+  return (bytes + kCacheLineBytes - 1) / kCacheLineBytes * kCacheLineBytes;
 }
 
 }  // namespace
 
 void Arena::add_block(std::size_t bytes) {
-  Block block;
-  block.size = bytes;
-  block.memory.reset(new std::byte[bytes + kAlignment]);
-  const auto address = reinterpret_cast<std::uintptr_t>(block.memory.get());
-  block.begin = block.memory.get() + (round_up(address) - address);
+  Block block{allocate_large<std::byte>(bytes), bytes};
+  CHECK(block.memory != nullptr, "no memory for {} bytes", bytes);
   blocks_.push_back(std::move(block));
 }
 
@@ -33,7 +28,7 @@ std::byte* Arena::allocate_bytes(std::size_t bytes) {
     used_ = 0;
     add_block(std::max(bytes, last * 2));
   }
-  std::byte* begin = blocks_.back().begin + used_;
+  std::byte* begin = blocks_.back().memory.get() + used_;
   used_ += bytes;
   return begin;
 }

@@ -4,12 +4,12 @@
 
 #include <cstddef>
 #include <cstring>
-#include <memory>
 #include <span>
 #include <type_traits>
 #include <vector>
 
 #include "base/check.h"
+#include "base/large_memory.h"
 
 namespace temblor::base {
 
@@ -37,8 +37,7 @@ class Arena {
 
  private:
   struct Block {
-    std::unique_ptr<std::byte[]> memory;
-    std::byte* begin = nullptr;
+    LargeMemory<std::byte> memory;
     std::size_t size = 0;
   };
   std::byte* allocate_bytes(std::size_t bytes);

@@ -4,9 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 
+#include "base/large_memory.h"
 #include "formats/palette.h"
 
 namespace temblor::render {
@@ -45,14 +45,11 @@ class FrameBuffer {
   std::span<const float> depth() const { return const_cast<FrameBuffer*>(this)->depth(); }
 
  private:
-  struct Free {
-    void operator()(void* memory) const;
-  };
   int width_ = 0, height_ = 0;
   PixelFormat format_ = PixelFormat::kIndexed;
-  std::unique_ptr<std::uint8_t[], Free> indexed_;
-  std::unique_ptr<std::uint32_t[], Free> rgb_;
-  std::unique_ptr<float[], Free> depth_;
+  base::LargeMemory<std::uint8_t> indexed_;
+  base::LargeMemory<std::uint32_t> rgb_;
+  base::LargeMemory<float> depth_;
 };
 
 enum class Stage { kView, kVisibility, kEdges, kScan, kSurfaces, kSpans };

@@ -1,0 +1,19 @@
+#include "base/large_memory.h"
+
+#include <sys/mman.h>
+
+namespace temblor::base {
+
+LargeMemory<std::byte> allocate_large_bytes(std::size_t bytes) {
+  const bool large = bytes >= kLargePageBytes;
+  const std::size_t unit = large ? kLargePageBytes : kCacheLineBytes;
+  const std::align_val_t alignment{unit};
+  // Whole units, so that no other allocation shares the last one.
+  bytes = (bytes + unit - 1) / unit * unit;
+  auto* memory = static_cast<std::byte*>(::operator new(bytes, alignment, std::nothrow));
+  // A wish only: without large pages everything is as right, and slower.
+  if (large && memory != nullptr) madvise(memory, bytes, MADV_HUGEPAGE);
+  return {memory, FreeLargeMemory{alignment}};
+}
+
+}  // namespace temblor::base
