@@ -17,7 +17,7 @@ struct SurfaceShape {
 // Bytes that may be read past the last texel, so that a wide load there stays inside.
 constexpr std::size_t kBlockPadding = 64;
 
-// Not owned. kIndexed: one byte a texel; kRgb: four, 0xffRRGGBB.
+// Not owned; starts at a cache line. kIndexed: one byte a texel; kRgb: four, 0xffRRGGBB.
 struct SurfaceBlock {
   std::byte* texels = nullptr;
   SurfaceShape shape;

@@ -1,5 +1,7 @@
 #include "render/surfaces/surface_cache.h"
 
+#include <algorithm>
+
 #include "base/check.h"
 #include "render/edges/edge_table.h"
 
@@ -7,44 +9,48 @@ namespace temblor::render {
 
 void SurfaceCache::begin_frame(const world::Level& level, std::size_t bytes_per_texel,
                                std::size_t budget_bytes, bool enabled) {
-  frame_blocks_.clear();
-  if (level_ != level.identity || bytes_per_texel_ != bytes_per_texel) {
-    forget();
-    bytes_per_texel_ = bytes_per_texel;
-    index_level(level);
-  }
+  frame_blocks_.reset();
+  if (level_ != level.identity || bytes_per_texel_ != bytes_per_texel) forget();
+  if (level_ != level.identity) index_level(level);
+  bytes_per_texel_ = bytes_per_texel;
   enabled_ = enabled;
   budget_bytes_ = budget_bytes;
   counts_ = {};
   ++frame_;
-  for (; oldest_ != kNone && bytes_in_use_ > budget_bytes_; ++counts_.evictions) evict(oldest_);
+  while (bytes_in_use() > budget_bytes_) evict_oldest();
+  pool_.set_capacity(budget_bytes_);
 }
 
 void SurfaceCache::forget() {
-  level_.reset();
-  first_slot_.clear();
-  entry_of_slot_.clear();
+  std::fill(first_of_slot_.begin(), first_of_slot_.end(), kNone);
   entries_.clear();
   free_entries_.clear();
-  frame_blocks_.clear();
   oldest_ = newest_ = kNone;
-  bytes_in_use_ = 0;
+  pool_.clear();
 }
 
 void SurfaceCache::index_level(const world::Level& level) {
   level_ = level.identity;
+  first_slot_.clear();
   std::size_t slots = 0;
   for (const world::Face& face : level.faces) {
     first_slot_.push_back(slots);
     const TileGrid tiles = tile_grid(face);
     slots += std::size_t{tiles.s} * tiles.t * 4;
   }
-  entry_of_slot_.assign(slots, kNone);
+  first_of_slot_.assign(slots, kNone);
+}
+
+std::uint32_t SurfaceCache::entry_of(std::size_t slot, world::TextureIndex texture) const {
+  std::uint32_t number = first_of_slot_[slot];
+  while (number != kNone && entries_[number].contents.texture != texture)
+    number = entries_[number].next_of_slot;
+  return number;
 }
 
 bool SurfaceCache::find(std::size_t slot, const BlockContents& contents, Lookup& out_lookup) {
   if (!enabled_) return false;
-  const std::uint32_t number = entry_of_slot_[slot];
+  const std::uint32_t number = entry_of(slot, contents.texture);
   if (number == kNone || entries_[number].contents != contents) return false;
   const bool first_use = entries_[number].used_in_frame != frame_;
   entries_[number].used_in_frame = frame_;
@@ -57,37 +63,37 @@ bool SurfaceCache::find(std::size_t slot, const BlockContents& contents, Lookup&
 SurfaceCache::Lookup SurfaceCache::reserve(std::size_t slot, const BlockContents& contents,
                                            SurfaceShape shape) {
   if (!enabled_) return build_for_frame(shape);
-  std::uint32_t number = entry_of_slot_[slot];
+  std::uint32_t number = entry_of(slot, contents.texture);
   if (number != kNone && entries_[number].used_in_frame == frame_) {
-    // Another instance of the same brush model shows this face with another texture.
-    if (entries_[number].contents == contents) return {block_of(entries_[number]), false, false};
-    return build_for_frame(shape);
+    DCHECK(entries_[number].contents == contents);
+    return {block_of(entries_[number]), false, false};
   }
   if (number == kNone) {
-    const std::size_t bytes = shape.texels() * bytes_per_texel_ + kBlockPadding;
-    while (bytes <= budget_bytes_ && bytes_in_use_ + bytes > budget_bytes_ && oldest_ != kNone &&
-           entries_[oldest_].used_in_frame != frame_) {
-      evict(oldest_);
-      ++counts_.evictions;
-    }
-    if (bytes_in_use_ + bytes > budget_bytes_) {
+    const BlockPool::Room room = make_room(bytes_of(shape));
+    if (room.begin == nullptr) {
       ++counts_.over_budget;
       return build_for_frame(shape);
     }
-    number = new_entry();
-    Entry& entry = entries_[number];
-    entry.texels = std::make_unique_for_overwrite<std::byte[]>(bytes);
-    entry.bytes = bytes;
-    entry.shape = shape;
-    entry.slot = slot;
-    entry_of_slot_[slot] = number;
-    bytes_in_use_ += bytes;
+    number = new_entry(slot);
+    entries_[number].room = room;
+    entries_[number].shape = shape;
   }
   entries_[number].contents = contents;
   entries_[number].used_in_frame = frame_;
   make_newest(number);
   ++counts_.misses;
   return {block_of(entries_[number]), true, true};
+}
+
+// None when the blocks of this frame leave none.
+BlockPool::Room SurfaceCache::make_room(std::size_t bytes) {
+  BlockPool::Room room = pool_.allocate(bytes);
+  if (BlockPool::rounded_up(bytes) > budget_bytes_) return room;
+  while (room.begin == nullptr && oldest_ != kNone && entries_[oldest_].used_in_frame != frame_) {
+    evict_oldest();
+    room = pool_.allocate(bytes);
+  }
+  return room;
 }
 
 void SurfaceCache::unlink(std::uint32_t number) {
@@ -108,30 +114,36 @@ void SurfaceCache::make_newest(std::uint32_t number) {
   if (oldest_ == kNone) oldest_ = number;
 }
 
-void SurfaceCache::evict(std::uint32_t number) {
+void SurfaceCache::evict_oldest() {
+  const std::uint32_t number = oldest_;
   unlink(number);
   Entry& entry = entries_[number];
-  entry_of_slot_[entry.slot] = kNone;
-  bytes_in_use_ -= entry.bytes;
+  std::uint32_t* link = &first_of_slot_[entry.slot];
+  while (*link != number) link = &entries_[*link].next_of_slot;
+  *link = entry.next_of_slot;
+  pool_.free(entry.room);
   entry = Entry{};
   free_entries_.push_back(number);
+  ++counts_.evictions;
 }
 
-std::uint32_t SurfaceCache::new_entry() {
+std::uint32_t SurfaceCache::new_entry(std::size_t slot) {
+  std::uint32_t number = static_cast<std::uint32_t>(entries_.size());
   if (free_entries_.empty()) {
     entries_.emplace_back();
-    return static_cast<std::uint32_t>(entries_.size() - 1);
+  } else {
+    number = free_entries_.back();
+    free_entries_.pop_back();
   }
-  const std::uint32_t number = free_entries_.back();
-  free_entries_.pop_back();
+  entries_[number].slot = slot;
+  entries_[number].next_of_slot = first_of_slot_[slot];
+  first_of_slot_[slot] = number;
   return number;
 }
 
 SurfaceCache::Lookup SurfaceCache::build_for_frame(SurfaceShape shape) {
   ++counts_.misses;
-  frame_blocks_.push_back(
-      std::make_unique_for_overwrite<std::byte[]>(shape.texels() * bytes_per_texel_ + kBlockPadding));
-  return {{frame_blocks_.back().get(), shape}, true, true};
+  return {{frame_blocks_.allocate<std::byte>(bytes_of(shape)).data(), shape}, true, true};
 }
 
 }  // namespace temblor::render

@@ -1,6 +1,9 @@
 // Lit, textured surfaces kept between frames (Abrash, "Surface Caching"): a budget in bytes, and the least
 // recently used go first. Blocks of the current frame are never evicted; what does not fit beside them lives
 // until the frame's end only.
+//
+// The budget bounds the memory that is held, holes between blocks included. So room for a block may cost more
+// of the oldest than its size, until what they leave joins.
 #pragma once
 
 #include <array>
@@ -9,11 +12,14 @@
 #include <memory>
 #include <vector>
 
+#include "base/arena.h"
+#include "render/surfaces/block_pool.h"
 #include "render/surfaces/surface_block.h"
 
 namespace temblor::render {
 
-// What a block shows; another one in the same place is stale.
+// What a block shows. A face may show several textures in one frame, on several instances of its brush model,
+// and has a block for each; of light it shows one kind in a frame, and a block with another is stale.
 struct BlockContents {
   world::TextureIndex texture{};
   std::array<std::uint16_t, 4> style_values{};
@@ -30,6 +36,7 @@ class SurfaceCache {
   // Forgets everything when the level or the format is not that of the last frame.
   void begin_frame(const world::Level& level, std::size_t bytes_per_texel, std::size_t budget_bytes,
                    bool enabled);
+  // Memory stays reserved.
   void forget();
 
   struct Lookup {
@@ -39,34 +46,37 @@ class SurfaceCache {
   };
   // First for all blocks of a frame: the block when it is there and fresh, marked as used.
   bool find(std::size_t slot, const BlockContents& contents, Lookup& out_lookup);
-  // Then for those not found: room for one, to be built.
+  // Then for those not found: room for one, to be built unless it was reserved in this frame already.
   Lookup reserve(std::size_t slot, const BlockContents& contents, SurfaceShape shape);
 
   // A face's slots, one for each tile and mip level.
   std::size_t slot(world::FaceIndex face, std::size_t tile, int mip) const {
     return first_slot_[base::to_size(face)] + tile * 4 + static_cast<std::size_t>(mip);
   }
-  std::size_t bytes_in_use() const { return bytes_in_use_; }
+  std::size_t bytes_in_use() const { return pool_.bytes_in_use(); }
   const CacheCounts& counts() const { return counts_; }
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
   struct Entry {
-    std::unique_ptr<std::byte[]> texels;
-    std::size_t bytes = 0;
+    BlockPool::Room room;
     SurfaceShape shape{};
     BlockContents contents;
     std::size_t slot = 0;
     std::uint64_t used_in_frame = 0;
+    std::uint32_t next_of_slot = kNone;  // with another texture
     std::uint32_t older = kNone, newer = kNone;
   };
 
   void index_level(const world::Level& level);
-  SurfaceBlock block_of(const Entry& entry) const { return {entry.texels.get(), entry.shape}; }
+  SurfaceBlock block_of(const Entry& entry) const { return {entry.room.begin, entry.shape}; }
+  std::uint32_t entry_of(std::size_t slot, world::TextureIndex texture) const;
+  std::size_t bytes_of(SurfaceShape shape) const { return shape.texels() * bytes_per_texel_ + kBlockPadding; }
+  BlockPool::Room make_room(std::size_t bytes);
   void make_newest(std::uint32_t entry);
   void unlink(std::uint32_t entry);
-  void evict(std::uint32_t entry);
-  std::uint32_t new_entry();
+  void evict_oldest();
+  std::uint32_t new_entry(std::size_t slot);
   Lookup build_for_frame(SurfaceShape shape);
 
   std::shared_ptr<const world::LevelIdentity> level_;
@@ -75,12 +85,12 @@ class SurfaceCache {
   bool enabled_ = true;
   std::uint64_t frame_ = 0;
   std::vector<std::size_t> first_slot_;       // by face
-  std::vector<std::uint32_t> entry_of_slot_;  // by slot; kNone
+  std::vector<std::uint32_t> first_of_slot_;  // by slot: entry, or kNone
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> free_entries_;
   std::uint32_t oldest_ = kNone, newest_ = kNone;
-  std::size_t bytes_in_use_ = 0;
-  std::vector<std::unique_ptr<std::byte[]>> frame_blocks_;
+  BlockPool pool_;
+  base::Arena frame_blocks_;
   CacheCounts counts_;
 };
 

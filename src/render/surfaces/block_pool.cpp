@@ -1,0 +1,98 @@
+#include "render/surfaces/block_pool.h"
+
+// For others than the address sanitizer's builds its macros are empty.
+#include <sanitizer/asan_interface.h>
+
+#include <algorithm>
+
+#include "base/check.h"
+
+namespace temblor::render {
+
+void BlockPool::set_capacity(std::size_t bytes) {
+  capacity_bytes_ = bytes;
+  for (Slab& slab : slabs_) {
+    if (bytes_reserved_ <= capacity_bytes_) return;
+    if (slab.memory == nullptr || slab.largest_hole < slab.bytes) continue;
+    bytes_reserved_ -= slab.bytes;
+    slab = Slab{};
+  }
+}
+
+BlockPool::Room BlockPool::allocate(std::size_t bytes) {
+  bytes = rounded_up(bytes);
+  if (bytes_in_use_ + bytes > capacity_bytes_) return {};
+  for (std::size_t slab = 0; slab < slabs_.size(); ++slab)
+    if (slabs_[slab].largest_hole >= bytes) return take(slab, bytes);
+  return add_slab(bytes) ? allocate(bytes) : Room{};
+}
+
+// Of what the capacity leaves. Whole large pages where it leaves one, as a part of one would cost as much.
+bool BlockPool::add_slab(std::size_t least_bytes) {
+  if (bytes_reserved_ >= capacity_bytes_) return false;
+  std::size_t bytes = std::min(kSlabBytes, capacity_bytes_ - bytes_reserved_);
+  bytes -= bytes % (bytes >= base::kLargePageBytes ? base::kLargePageBytes : kUnitBytes);
+  if (bytes < least_bytes) return false;
+  Slab slab{base::allocate_large<std::byte>(bytes), bytes, bytes, {{0, bytes}}};
+  if (slab.memory == nullptr) return false;
+  constexpr std::size_t kUsualHoles = 256;
+  slab.holes.reserve(kUsualHoles);
+  ASAN_POISON_MEMORY_REGION(slab.memory.get(), bytes);
+  bytes_reserved_ += bytes;
+  const auto given_back =
+      std::find_if(slabs_.begin(), slabs_.end(), [](const Slab& other) { return other.memory == nullptr; });
+  given_back == slabs_.end() ? slabs_.push_back(std::move(slab)) : void(*given_back = std::move(slab));
+  return true;
+}
+
+// From a slab that has a hole for it.
+BlockPool::Room BlockPool::take(std::size_t number, std::size_t bytes) {
+  Slab& slab = slabs_[number];
+  const auto hole = std::find_if(slab.holes.begin(), slab.holes.end(),
+                                 [&](const Hole& candidate) { return candidate.bytes >= bytes; });
+  const Room room{slab.memory.get() + hole->begin, bytes, number};
+  const bool was_largest = hole->bytes == slab.largest_hole;
+  hole->begin += bytes;
+  hole->bytes -= bytes;
+  if (hole->bytes == 0) slab.holes.erase(hole);
+  if (was_largest) {
+    slab.largest_hole = 0;
+    for (const Hole& other : slab.holes) slab.largest_hole = std::max(slab.largest_hole, other.bytes);
+  }
+  bytes_in_use_ += bytes;
+  ASAN_UNPOISON_MEMORY_REGION(room.begin, bytes);
+  return room;
+}
+
+void BlockPool::free(const Room& room) {
+  Slab& slab = slabs_[room.slab];
+  Hole freed{static_cast<std::size_t>(room.begin - slab.memory.get()), room.bytes};
+  auto next = std::lower_bound(slab.holes.begin(), slab.holes.end(), freed.begin,
+                               [](const Hole& hole, std::size_t begin) { return hole.begin < begin; });
+  DCHECK(next == slab.holes.end() || freed.begin + freed.bytes <= next->begin);
+  if (next != slab.holes.end() && next->begin == freed.begin + freed.bytes) {
+    freed.bytes += next->bytes;
+    next = slab.holes.erase(next);
+  }
+  if (next != slab.holes.begin() && std::prev(next)->begin + std::prev(next)->bytes == freed.begin) {
+    freed = {std::prev(next)->begin, std::prev(next)->bytes + freed.bytes};
+    *std::prev(next) = freed;
+  } else {
+    slab.holes.insert(next, freed);
+  }
+  slab.largest_hole = std::max(slab.largest_hole, freed.bytes);
+  bytes_in_use_ -= room.bytes;
+  ASAN_POISON_MEMORY_REGION(room.begin, room.bytes);
+}
+
+void BlockPool::clear() {
+  for (Slab& slab : slabs_) {
+    slab.holes.clear();
+    if (slab.bytes > 0) slab.holes.push_back({0, slab.bytes});
+    slab.largest_hole = slab.bytes;
+    ASAN_POISON_MEMORY_REGION(slab.memory.get(), slab.bytes);
+  }
+  bytes_in_use_ = 0;
+}
+
+}  // namespace temblor::render

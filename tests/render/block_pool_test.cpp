@@ -1,0 +1,182 @@
+// The pool of blocks against a list of the rooms it gave out: inside its memory, aligned, none over another,
+// and never more of it than its capacity.
+#include "render/surfaces/block_pool.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "support/effort.h"
+#include "support/random.h"
+
+namespace temblor::test {
+namespace {
+
+using render::BlockPool;
+
+constexpr std::size_t kPlenty = std::size_t{64} << 20;
+constexpr std::size_t kSlab = BlockPool::kSlabBytes;
+
+// A room, filled with a mark of its own.
+struct Held {
+  BlockPool::Room room;
+  std::byte mark;
+};
+void fill(const Held& held) {
+  std::fill_n(held.room.begin, held.room.bytes, held.mark);
+}
+bool is_whole(const Held& held) {
+  return std::count(held.room.begin, held.room.begin + held.room.bytes, held.mark) ==
+         static_cast<std::ptrdiff_t>(held.room.bytes);
+}
+
+// As blocks are: mostly small, now and then a large one.
+std::size_t random_size(Random& random) {
+  return 1 + random.below(random.chance(0.8) ? 5000 : 300000);
+}
+
+TEST(BlockPool, KeepsRoomsApartAlignedAndWithinItsCapacity) {
+  for (int seed = 0; seed < effort(30, 3); ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    BlockPool pool;
+    std::size_t capacity = 0;
+    std::vector<Held> held;
+    std::size_t held_bytes = 0;
+    for (int step = 0; step < 2000; ++step) {
+      SCOPED_TRACE(fmt::format("seed {}, step {}", seed, step));
+      if (step % 500 == 0) {
+        capacity = held_bytes + random.below(3 * kSlab);
+        pool.set_capacity(capacity);
+      }
+      if (!held.empty() && random.chance(0.45)) {
+        std::swap(held[random.below(held.size())], held.back());
+        ASSERT_TRUE(is_whole(held.back()));
+        held_bytes -= held.back().room.bytes;
+        pool.free(held.back().room);
+        held.pop_back();
+      } else {
+        const std::size_t bytes = random_size(random);
+        const BlockPool::Room room = pool.allocate(bytes);
+        if (room.begin != nullptr) {
+          ASSERT_GE(room.bytes, bytes);
+          ASSERT_LT(room.bytes, bytes + BlockPool::kUnitBytes);
+          ASSERT_EQ(reinterpret_cast<std::uintptr_t>(room.begin) % 64, 0u);
+          held.push_back({room, static_cast<std::byte>(random.bits())});
+          held_bytes += room.bytes;
+          fill(held.back());
+        }
+      }
+      ASSERT_EQ(pool.bytes_in_use(), held_bytes);
+      ASSERT_LE(held_bytes, capacity);
+      ASSERT_LE(held_bytes, pool.bytes_reserved());
+    }
+    // Written at different times and still whole: none lies over another.
+    EXPECT_TRUE(std::all_of(held.begin(), held.end(), is_whole)) << "seed " << seed;
+  }
+}
+
+// Until nothing fits any more, from a capacity that never changed.
+TEST(BlockPool, TakesNoMoreMemoryThanItsCapacity) {
+  for (int seed = 0; seed < effort(20, 3); ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    BlockPool pool;
+    const std::size_t capacity = random.below(3 * kSlab);
+    pool.set_capacity(capacity);
+    std::vector<BlockPool::Room> rooms;
+    for (int step = 0; step < 3000; ++step) {
+      const BlockPool::Room room = pool.allocate(random_size(random));
+      if (room.begin != nullptr) rooms.push_back(room);
+      if (rooms.size() > 1 && random.chance(0.1)) {
+        pool.free(rooms.back());
+        rooms.pop_back();
+      }
+      ASSERT_LE(pool.bytes_reserved(), capacity) << "seed " << seed;
+    }
+  }
+}
+
+TEST(BlockPool, MakesOneRoomOfAllThatIsFreedInAnyOrder) {
+  for (int seed = 0; seed < effort(50, 5); ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    BlockPool pool;
+    pool.set_capacity(kSlab);
+    std::vector<BlockPool::Room> rooms;
+    for (;;) {
+      rooms.push_back(pool.allocate(random_size(random)));
+      if (rooms.back().begin == nullptr) break;
+    }
+    rooms.pop_back();
+    while (!rooms.empty()) {
+      std::swap(rooms[random.below(rooms.size())], rooms.back());
+      pool.free(rooms.back());
+      rooms.pop_back();
+    }
+    EXPECT_EQ(pool.bytes_in_use(), 0u);
+    EXPECT_NE(pool.allocate(kSlab).begin, nullptr) << "seed " << seed;
+    EXPECT_EQ(pool.bytes_reserved(), kSlab);
+  }
+}
+
+TEST(BlockPool, GivesFreedMemoryOutAgain) {
+  BlockPool pool;
+  pool.set_capacity(kPlenty);
+  const BlockPool::Room first = pool.allocate(1000), second = pool.allocate(1000);
+  pool.free(first);
+  EXPECT_EQ(pool.allocate(1000).begin, first.begin);
+  pool.free(second);
+  EXPECT_EQ(pool.allocate(1000).begin, second.begin);
+}
+
+TEST(BlockPool, FillsASlabBeforeItTakesAnother) {
+  BlockPool pool;
+  pool.set_capacity(kPlenty);
+  for (std::size_t taken = 0; taken < kSlab; taken += kSlab / 8) {
+    EXPECT_NE(pool.allocate(kSlab / 8).begin, nullptr);
+    EXPECT_EQ(pool.bytes_reserved(), kSlab);
+  }
+  pool.allocate(1);
+  EXPECT_EQ(pool.bytes_reserved(), 2 * kSlab);
+}
+
+TEST(BlockPool, UsesAllOfASmallCapacity) {
+  BlockPool pool;
+  pool.set_capacity(3 * BlockPool::kUnitBytes);
+  for (int i = 0; i < 3; ++i) EXPECT_NE(pool.allocate(1).begin, nullptr);
+  EXPECT_EQ(pool.allocate(1).begin, nullptr);
+}
+
+TEST(BlockPool, GivesEmptySlabsBackWhenTheCapacityShrinks) {
+  BlockPool pool;
+  pool.set_capacity(kPlenty);
+  const BlockPool::Room first = pool.allocate(kSlab), second = pool.allocate(kSlab);
+  pool.set_capacity(kSlab);
+  EXPECT_EQ(pool.bytes_reserved(), 2 * kSlab);
+  pool.free(first);
+  pool.set_capacity(kSlab);
+  EXPECT_EQ(pool.bytes_reserved(), kSlab);
+  EXPECT_EQ(pool.allocate(1).begin, nullptr);
+  pool.free(second);
+  EXPECT_NE(pool.allocate(kSlab).begin, nullptr);
+  // Where a slab was given back, another can be.
+  pool.set_capacity(kPlenty);
+  EXPECT_NE(pool.allocate(kSlab).begin, nullptr);
+  EXPECT_EQ(pool.bytes_reserved(), 2 * kSlab);
+}
+
+TEST(BlockPool, KeepsItsSlabsWhenCleared) {
+  BlockPool pool;
+  pool.set_capacity(2 * kSlab);
+  for (int round = 0; round < 3; ++round) {
+    for (int i = 0; i < 2; ++i) EXPECT_NE(pool.allocate(kSlab).begin, nullptr);
+    EXPECT_EQ(pool.allocate(1).begin, nullptr);
+    pool.clear();
+    EXPECT_EQ(pool.bytes_in_use(), 0u);
+    EXPECT_EQ(pool.bytes_reserved(), 2 * kSlab);
+  }
+}
+
+}  // namespace
+}  // namespace temblor::test
