@@ -59,9 +59,10 @@ HWY_INLINE void BuildRgbTexels(D d, const RgbRow& row) {
   const int texels_a_vector = static_cast<int>(hn::Lanes(d)) / 4;
   const auto opaque = hn::Set(d, 255);
   const auto alpha = hn::Set(d32, 0xff000000u);
-  HWY_ALIGN int16_t fractions[16 * 4];
-  for (int i = 0; i < 16 * 4; ++i)
-    fractions[i] = static_cast<int16_t>(i / 4 % row.texels_a_sample * (32768 / row.texels_a_sample));
+  const int step = 32768 / row.texels_a_sample;
+  // Of the texels of a sample's first vector, for each of their channels.
+  const auto first_fractions =
+      hn::Mul(hn::ShiftRight<2>(hn::Iota(d, 0)), hn::Set(d, static_cast<int16_t>(step)));
   const int16_t* sample = row.light;
   for (int x = 0; x < row.count; x += row.texels_a_sample, sample += 4) {
     int64_t here, next;
@@ -70,7 +71,8 @@ HWY_INLINE void BuildRgbTexels(D d, const RgbRow& row) {
     const auto from = hn::BitCast(d, hn::Set(d64, here));
     const auto change = hn::Sub(hn::BitCast(d, hn::Set(d64, next)), from);
     for (int i = 0; i < row.texels_a_sample && x + i < row.count; i += texels_a_vector) {
-      const auto light = hn::Add(from, hn::MulFixedPoint15(change, hn::LoadU(d, fractions + 4 * i)));
+      const auto fractions = hn::Add(first_fractions, hn::Set(d, static_cast<int16_t>(i * step)));
+      const auto light = hn::Add(from, hn::MulFixedPoint15(change, fractions));
       const auto texels = hn::LoadU(d8, reinterpret_cast<const uint8_t*>(row.texels + x + i));
       const auto colours = hn::PromoteTo(d, texels);
       const auto lit = hn::Min(hn::MulFixedPoint15(hn::Add(colours, colours), light), opaque);

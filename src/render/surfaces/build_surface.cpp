@@ -24,37 +24,38 @@ TileLight tile_light(const world::Face& face, const BlockRequest& request) {
   return {s, t, std::min(face.light_width() - s, most), std::min(face.light_height() - t, most)};
 }
 
-// Sum of sample x style value. Channel 0..2 of the coloured light, or the grey light.
-std::uint32_t light_sum(const world::Level& level, const world::Face& face, const BlockContents& contents,
-                        std::size_t sample, int channel) {
-  const std::size_t plane =
-      static_cast<std::size_t>(face.light_width()) * static_cast<std::size_t>(face.light_height());
-  std::uint32_t sum = 0;
-  for (std::size_t style = 0; style < face.style_count; ++style) {
-    const std::size_t position = face.light + style * plane + sample;
-    const std::uint8_t value = contents.coloured
-                                   ? level.light_rgb[position * 3 + static_cast<std::size_t>(channel)]
-                                   : level.light[position];
-    sum += std::uint32_t{value} * contents.style_values[style];
-  }
-  return sum;
-}
+// Where a texture that repeats without end is read, row by row.
+class TextureRows {
+ public:
+  // From texel (s, t) on, of any sign.
+  TextureRows(const world::Texture& texture, int mip, std::int64_t s, std::int64_t t)
+      : texels_(texture.mips[static_cast<std::size_t>(mip)].data()),
+        width_(std::max<std::size_t>(1, texture.width >> mip)),
+        height_(std::max<std::size_t>(1, texture.height >> mip)),
+        column_(wrapped(s, width_)),
+        row_(wrapped(t, height_)) {}
 
-// One row of texels out of a texture that repeats without end, `count` from (s, t) on.
-void copy_texture_row(const world::Texture& texture, int mip, std::int64_t s, std::int64_t t,
-                      std::span<std::uint8_t> out) {
-  const std::int64_t width = std::max<std::int64_t>(1, texture.width >> mip);
-  const std::int64_t height = std::max<std::int64_t>(1, texture.height >> mip);
-  const auto wrap = [](std::int64_t value, std::int64_t size) { return (value % size + size) % size; };
-  const std::uint8_t* row = texture.mips[static_cast<std::size_t>(mip)].data() + wrap(t, height) * width;
-  std::size_t at = static_cast<std::size_t>(wrap(s, width));
-  for (std::size_t done = 0; done < out.size();) {
-    const std::size_t run = std::min(out.size() - done, static_cast<std::size_t>(width) - at);
-    std::memcpy(out.data() + done, row + at, run);
-    done += run;
-    at = 0;
+  // Hands the next row's first `count` texels to `each_run(position, texels, texel_count)`, in runs that do
+  // not cross the texture's edge.
+  template <typename EachRun>
+  void next_row(std::size_t count, EachRun each_run) {
+    const std::uint8_t* row = texels_ + row_ * width_;
+    for (std::size_t done = 0, column = column_; done < count; column = 0) {
+      const std::size_t run = std::min(count - done, width_ - column);
+      each_run(done, row + column, run);
+      done += run;
+    }
+    if (++row_ == height_) row_ = 0;
   }
-}
+
+ private:
+  static std::size_t wrapped(std::int64_t value, std::size_t size) {
+    const auto period = static_cast<std::int64_t>(size);
+    return static_cast<std::size_t>((value % period + period) % period);
+  }
+  const std::uint8_t* texels_;
+  std::size_t width_, height_, column_, row_;
+};
 
 std::int32_t interpolate(std::int32_t from, std::int32_t to, std::int32_t fraction_q15) {
   return from + (((to - from) * fraction_q15 + 16384) >> 15);
@@ -71,20 +72,25 @@ class Builder {
         scratch_(scratch),
         face_(level.face(request.face)),
         light_(tile_light(face_, request)),
-        texture_row_(scratch.allocate<std::uint8_t>(static_cast<std::size_t>(request.block.shape.width) +
-                                                    kBlockPadding)) {}
+        // Faces start at multiples of 16 texels, so every mip level starts at a whole one.
+        texture_(level.texture(request.contents.texture), request.mip,
+                 (std::int64_t{face_.texture_mins[0]} + request.tile_s * kTileTexels) >> request.mip,
+                 (std::int64_t{face_.texture_mins[1]} + request.tile_t * kTileTexels) >> request.mip) {}
 
   void build_indexed() {
     const std::span<const std::int16_t> samples = sum_samples(1, [](std::uint32_t sum) {
       return static_cast<std::int16_t>(std::max((65280 - static_cast<std::int32_t>(sum)) >> 2, 64));
     });
     const std::span<std::int16_t> row_light = row_samples(1);
+    const std::span<std::uint8_t> texels = row_of_texels<std::uint8_t>();
     auto* out = reinterpret_cast<std::uint8_t*>(request_.block.texels);
     for (std::int32_t y = 0; y < request_.block.shape.height; ++y, out += request_.block.shape.width) {
-      read_texture_row(y);
+      texture_.next_row(width(), [&](std::size_t x, const std::uint8_t* run, std::size_t count) {
+        std::memcpy(&texels[x], run, count);
+      });
       interpolate_down(samples, 1, y, row_light);
-      const IndexedRow row{texture_row_.data(),        row_light.data(), tables_.colormap.rows.data(), out,
-                           request_.block.shape.width, texels_a_sample()};
+      const IndexedRow row{texels.data(), row_light.data(),           tables_.colormap.rows.data(),
+                           out,           request_.block.shape.width, texels_a_sample()};
       vector_ ? build_indexed_row_vector(row) : build_indexed_row_plain(row);
     }
   }
@@ -94,15 +100,12 @@ class Builder {
       return static_cast<std::int16_t>(std::min<std::uint32_t>(sum, 65280) >> 1);
     });
     const std::span<std::int16_t> row_light = row_samples(4);
-    const std::span<std::uint32_t> colours = scratch_.allocate<std::uint32_t>(
-        static_cast<std::size_t>(request_.block.shape.width) + kBlockPadding);
+    const std::span<std::uint32_t> colours = row_of_texels<std::uint32_t>();
     auto* out = reinterpret_cast<std::uint32_t*>(request_.block.texels);
     for (std::int32_t y = 0; y < request_.block.shape.height; ++y, out += request_.block.shape.width) {
-      read_texture_row(y);
-      for (std::size_t x = 0; x < static_cast<std::size_t>(request_.block.shape.width); ++x) {
-        const std::uint8_t index = texture_row_[x];
-        colours[x] = index >= tables_.first_fullbright ? tables_.rgb[index] & 0xffffffu : tables_.rgb[index];
-      }
+      texture_.next_row(width(), [&](std::size_t x, const std::uint8_t* run, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) colours[x + i] = tables_.surface_rgb[run[i]];
+      });
       interpolate_down(samples, 4, y, row_light);
       const RgbRow row{colours.data(), row_light.data(), out, request_.block.shape.width, texels_a_sample()};
       vector_ ? build_rgb_row_vector(row) : build_rgb_row_plain(row);
@@ -112,39 +115,55 @@ class Builder {
  private:
   std::int32_t texels_a_sample() const { return kTexelsASample >> request_.mip; }
 
+  std::size_t width() const { return static_cast<std::size_t>(request_.block.shape.width); }
+  // Longer than a row, as kernels may read past its end.
+  template <typename Texel>
+  std::span<Texel> row_of_texels() {
+    return scratch_.allocate<Texel>(width() + kBlockPadding);
+  }
+
+  // Sums of sample x style value over the face's styles, for the tile's samples, row by row: grey light, or
+  // red, green and blue.
+  std::span<const std::uint32_t> sum_light(std::size_t channels) {
+    const std::vector<std::uint8_t>& light = channels == 3 ? level_.light_rgb : level_.light;
+    const auto width = static_cast<std::size_t>(face_.light_width());
+    const std::size_t row_values = columns() * channels;
+    const std::span<std::uint32_t> sums =
+        scratch_.allocate_filled<std::uint32_t>(static_cast<std::size_t>(light_.rows) * row_values, 0);
+    for (std::size_t style = 0; style < face_.style_count; ++style)
+      for (std::size_t row = 0; row < static_cast<std::size_t>(light_.rows); ++row) {
+        const std::size_t sample_row = style * static_cast<std::size_t>(face_.light_height()) +
+                                       static_cast<std::size_t>(light_.first_row) + row;
+        const std::uint8_t* samples =
+            light.data() +
+            (face_.light + sample_row * width + static_cast<std::size_t>(light_.first_column)) * channels;
+        for (std::size_t i = 0; i < row_values; ++i)
+          sums[row * row_values + i] += std::uint32_t{samples[i]} * request_.contents.style_values[style];
+      }
+    return sums;
+  }
+
   // What `convert` makes of the light sum, for every sample of the tile, row by row. Of four channels, three
   // are blue, green, red and the last is 0; of one, the grey light.
   // One row more than there is, so that every row of texels has a sample above and below.
   template <typename Convert>
   std::span<const std::int16_t> sum_samples(std::size_t channels, Convert convert) {
-    const std::span<std::int16_t> samples = scratch_.allocate_filled<std::int16_t>(
-        columns() * (static_cast<std::size_t>(light_.rows) + 1) * channels, 0);
-    std::int16_t* out = samples.data();
-    for (std::int32_t row = light_.first_row; row < light_.first_row + light_.rows; ++row)
-      for (std::int32_t column = light_.first_column; column < light_.first_column + light_.columns;
-           ++column) {
-        const std::size_t sample =
-            static_cast<std::size_t>(row) * static_cast<std::size_t>(face_.light_width()) +
-            static_cast<std::size_t>(column);
-        if (channels == 1) {
-          *out++ = convert(light_sum(level_, face_, request_.contents, sample, 0));
-          continue;
-        }
-        for (int channel = 2; channel >= 0; --channel)
-          *out++ = convert(light_sum(level_, face_, request_.contents, sample, channel));
-        ++out;
+    const std::size_t sum_channels = request_.contents.coloured ? 3 : 1;
+    const std::span<const std::uint32_t> sums = sum_light(sum_channels);
+    const std::size_t count = sums.size() / sum_channels;
+    const std::span<std::int16_t> samples =
+        scratch_.allocate_filled<std::int16_t>((count + columns()) * channels, 0);
+    for (std::size_t sample = 0; sample < count; ++sample) {
+      const std::uint32_t* sum = &sums[sample * sum_channels];
+      std::int16_t* out = &samples[sample * channels];
+      if (channels == 1) {
+        out[0] = convert(sum[0]);
+        continue;
       }
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        out[channel] = convert(sum[request_.contents.coloured ? 2 - channel : 0]);
+    }
     return samples;
-  }
-
-  void read_texture_row(std::int32_t y) {
-    // Faces start at multiples of 16 texels, so every mip level starts at a whole one.
-    const std::int64_t s =
-        (std::int64_t{face_.texture_mins[0]} + request_.tile_s * kTileTexels) >> request_.mip;
-    const std::int64_t t =
-        (std::int64_t{face_.texture_mins[1]} + request_.tile_t * kTileTexels) >> request_.mip;
-    copy_texture_row(level_.texture(request_.contents.texture), request_.mip, s, t + y,
-                     texture_row_.first(static_cast<std::size_t>(request_.block.shape.width)));
   }
 
   std::size_t columns() const { return static_cast<std::size_t>(light_.columns); }
@@ -167,14 +186,18 @@ class Builder {
   base::Arena& scratch_;
   const world::Face& face_;
   const TileLight light_;
-  std::span<std::uint8_t> texture_row_;
+  TextureRows texture_;
 };
 
 }  // namespace
 
 BuildTables make_build_tables(const formats::Palette& palette, const formats::Colormap& colormap) {
-  BuildTables tables{colormap, {}, 256 - colormap.fullbrights};
-  for (std::size_t i = 0; i < palette.size(); ++i) tables.rgb[i] = to_rgb(palette[i]);
+  BuildTables tables{colormap, {}, {}};
+  const auto first_fullbright = static_cast<std::size_t>(256 - colormap.fullbrights);
+  for (std::size_t i = 0; i < palette.size(); ++i) {
+    tables.rgb[i] = to_rgb(palette[i]);
+    tables.surface_rgb[i] = i >= first_fullbright ? tables.rgb[i] & 0xffffffu : tables.rgb[i];
+  }
   return tables;
 }
 

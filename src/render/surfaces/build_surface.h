@@ -24,8 +24,8 @@ namespace temblor::render {
 // The look of a game, as the builder and the span drawers read it.
 struct BuildTables {
   formats::Colormap colormap;
-  std::array<std::uint32_t, 256> rgb;  // 0xffRRGGBB
-  int first_fullbright;                // palette entries from here on are not lit
+  std::array<std::uint32_t, 256> rgb;          // 0xffRRGGBB
+  std::array<std::uint32_t, 256> surface_rgb;  // the same, with alpha 0 where light changes nothing
 };
 BuildTables make_build_tables(const formats::Palette& palette, const formats::Colormap& colormap);
 
