@@ -141,6 +141,26 @@ TEST(BlockPool, FillsASlabBeforeItTakesAnother) {
   EXPECT_EQ(pool.bytes_reserved(), 2 * kSlab);
 }
 
+TEST(BlockPool, GivesOutWhatItPrepared) {
+  BlockPool pool;
+  pool.set_capacity(kPlenty);
+  pool.prepare(kSlab + 1);
+  EXPECT_EQ(pool.bytes_reserved(), 2 * kSlab);
+  pool.prepare(2 * kSlab);
+  EXPECT_EQ(pool.bytes_in_use(), 0u);
+  for (int i = 0; i < 2; ++i) EXPECT_NE(pool.allocate(kSlab).begin, nullptr);
+  EXPECT_EQ(pool.bytes_reserved(), 2 * kSlab);
+}
+
+TEST(BlockPool, PreparesNoMoreThanItsCapacity) {
+  for (const std::size_t capacity : {std::size_t{0}, std::size_t{63}, std::size_t{1000}, kSlab + 1000}) {
+    BlockPool pool;
+    pool.set_capacity(capacity);
+    pool.prepare(kPlenty);
+    EXPECT_EQ(pool.bytes_reserved(), capacity / 64 * 64);
+  }
+}
+
 TEST(BlockPool, UsesAllOfASmallCapacity) {
   BlockPool pool;
   pool.set_capacity(3 * BlockPool::kUnitBytes);

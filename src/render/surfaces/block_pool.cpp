@@ -24,25 +24,36 @@ BlockPool::Room BlockPool::allocate(std::size_t bytes) {
   if (bytes_in_use_ + bytes > capacity_bytes_) return {};
   for (std::size_t slab = 0; slab < slabs_.size(); ++slab)
     if (slabs_[slab].largest_hole >= bytes) return take(slab, bytes);
-  return add_slab(bytes) ? allocate(bytes) : Room{};
+  return add_slab(bytes) != nullptr ? allocate(bytes) : Room{};
 }
 
-// Of what the capacity leaves. Whole large pages where it leaves one, as a part of one would cost as much.
-bool BlockPool::add_slab(std::size_t least_bytes) {
-  if (bytes_reserved_ >= capacity_bytes_) return false;
+// Whole large pages where the capacity leaves one, as a part of one would cost as much.
+BlockPool::Slab* BlockPool::add_slab(std::size_t least_bytes) {
+  if (bytes_reserved_ >= capacity_bytes_) return nullptr;
   std::size_t bytes = std::min(kSlabBytes, capacity_bytes_ - bytes_reserved_);
   bytes -= bytes % (bytes >= base::kLargePageBytes ? base::kLargePageBytes : kUnitBytes);
-  if (bytes < least_bytes) return false;
+  if (bytes < least_bytes) return nullptr;
   Slab slab{base::allocate_large<std::byte>(bytes), bytes, bytes, {{0, bytes}}};
-  if (slab.memory == nullptr) return false;
+  if (slab.memory == nullptr) return nullptr;
   constexpr std::size_t kUsualHoles = 256;
   slab.holes.reserve(kUsualHoles);
   ASAN_POISON_MEMORY_REGION(slab.memory.get(), bytes);
   bytes_reserved_ += bytes;
   const auto given_back =
       std::find_if(slabs_.begin(), slabs_.end(), [](const Slab& other) { return other.memory == nullptr; });
-  given_back == slabs_.end() ? slabs_.push_back(std::move(slab)) : void(*given_back = std::move(slab));
-  return true;
+  if (given_back == slabs_.end()) return &slabs_.emplace_back(std::move(slab));
+  return &(*given_back = std::move(slab));
+}
+
+void BlockPool::prepare(std::size_t bytes) {
+  constexpr std::size_t kSmallestPageBytes = 4096;
+  while (bytes_reserved_ < bytes) {
+    const Slab* slab = add_slab(kUnitBytes);
+    if (slab == nullptr) return;
+    ASAN_UNPOISON_MEMORY_REGION(slab->memory.get(), slab->bytes);
+    for (std::size_t at = 0; at < slab->bytes; at += kSmallestPageBytes) slab->memory[at] = std::byte{0};
+    ASAN_POISON_MEMORY_REGION(slab->memory.get(), slab->bytes);
+  }
 }
 
 // From a slab that has a hole for it.

@@ -25,6 +25,10 @@ class BlockPool {
   // back now; the others stay until they, too, are empty and the capacity is set again.
   void set_capacity(std::size_t bytes);
 
+  // Takes slabs until there are `bytes` of them, or as many as the capacity allows, and has the system back
+  // them with memory now: a first touch costs far more than what is written then.
+  void prepare(std::size_t bytes);
+
   struct Room {
     std::byte* begin = nullptr;  // null: there is none
     std::size_t bytes = 0;       // a multiple of kUnitBytes
@@ -52,7 +56,8 @@ class BlockPool {
   };
 
   Room take(std::size_t slab, std::size_t bytes);
-  bool add_slab(std::size_t least_bytes);
+  // Null when the capacity does not leave `least_bytes`.
+  Slab* add_slab(std::size_t least_bytes);
 
   std::vector<Slab> slabs_;
   std::size_t capacity_bytes_ = 0;

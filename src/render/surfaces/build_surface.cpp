@@ -126,7 +126,7 @@ class Builder {
   // red, green and blue.
   std::span<const std::uint32_t> sum_light(std::size_t channels) {
     const std::vector<std::uint8_t>& light = channels == 3 ? level_.light_rgb : level_.light;
-    const auto width = static_cast<std::size_t>(face_.light_width());
+    const auto samples_a_row = static_cast<std::size_t>(face_.light_width());
     const std::size_t row_values = columns() * channels;
     const std::span<std::uint32_t> sums =
         scratch_.allocate_filled<std::uint32_t>(static_cast<std::size_t>(light_.rows) * row_values, 0);
@@ -134,9 +134,9 @@ class Builder {
       for (std::size_t row = 0; row < static_cast<std::size_t>(light_.rows); ++row) {
         const std::size_t sample_row = style * static_cast<std::size_t>(face_.light_height()) +
                                        static_cast<std::size_t>(light_.first_row) + row;
-        const std::uint8_t* samples =
-            light.data() +
-            (face_.light + sample_row * width + static_cast<std::size_t>(light_.first_column)) * channels;
+        const std::uint8_t* samples = light.data() + (face_.light + sample_row * samples_a_row +
+                                                      static_cast<std::size_t>(light_.first_column)) *
+                                                         channels;
         for (std::size_t i = 0; i < row_values; ++i)
           sums[row * row_values + i] += std::uint32_t{samples[i]} * request_.contents.style_values[style];
       }
@@ -172,11 +172,11 @@ class Builder {
   }
   void interpolate_down(std::span<const std::int16_t> samples, std::size_t channels, std::int32_t y,
                         std::span<std::int16_t> out) {
-    const std::size_t width = columns() * channels;
-    const std::int16_t* above = samples.data() + static_cast<std::size_t>(y / texels_a_sample()) * width;
+    const std::size_t row_values = columns() * channels;
+    const std::int16_t* above = samples.data() + static_cast<std::size_t>(y / texels_a_sample()) * row_values;
     const std::int32_t fraction = y % texels_a_sample() * (32768 / texels_a_sample());
-    for (std::size_t i = 0; i < width; ++i)
-      out[i] = static_cast<std::int16_t>(interpolate(above[i], above[i + width], fraction));
+    for (std::size_t i = 0; i < row_values; ++i)
+      out[i] = static_cast<std::int16_t>(interpolate(above[i], above[i + row_values], fraction));
   }
 
   const world::Level& level_;

@@ -7,11 +7,19 @@
 
 namespace temblor::render {
 
+namespace {
+
+// Views of wide places at 1920x1080 read from blocks of up to two million texels.
+constexpr std::size_t kTexelsOfALargeView = std::size_t{4} << 20;
+
+}  // namespace
+
 void SurfaceCache::begin_frame(const world::Level& level, std::size_t bytes_per_texel,
                                std::size_t budget_bytes, bool enabled) {
   frame_blocks_.reset();
-  if (level_ != level.identity || bytes_per_texel_ != bytes_per_texel) forget();
-  if (level_ != level.identity) index_level(level);
+  const bool is_level_new = level_ != level.identity;
+  if (is_level_new || bytes_per_texel_ != bytes_per_texel) forget();
+  if (is_level_new) index_level(level);
   bytes_per_texel_ = bytes_per_texel;
   enabled_ = enabled;
   budget_bytes_ = budget_bytes;
@@ -19,6 +27,8 @@ void SurfaceCache::begin_frame(const world::Level& level, std::size_t bytes_per_
   ++frame_;
   while (bytes_in_use() > budget_bytes_) evict_oldest();
   pool_.set_capacity(budget_bytes_);
+  // A level's first frame is part of loading it, and may take the time that later ones should not.
+  if (is_level_new && enabled_) pool_.prepare(kTexelsOfALargeView * bytes_per_texel_);
 }
 
 void SurfaceCache::forget() {
