@@ -9,9 +9,12 @@ namespace {
 // Global because operator new is.
 std::atomic<std::size_t> count{0};
 
-void* counted_allocation(std::size_t bytes, std::size_t alignment) {
+void* try_counted_allocation(std::size_t bytes, std::size_t alignment) {
   count.fetch_add(1, std::memory_order_relaxed);
-  void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+  return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+}
+void* counted_allocation(std::size_t bytes, std::size_t alignment) {
+  void* memory = try_counted_allocation(bytes, alignment);
   if (memory == nullptr) std::abort();
   return memory;
 }
@@ -23,6 +26,11 @@ void* operator new(std::size_t bytes) {
 }
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
   return counted_allocation(bytes, static_cast<std::size_t>(alignment));
+}
+// Here too, as the address sanitizer's own one does not call the form above, and its memory may not be freed
+// with the delete below.
+void* operator new(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+  return try_counted_allocation(bytes, static_cast<std::size_t>(alignment));
 }
 void operator delete(void* memory) noexcept {
   std::free(memory);

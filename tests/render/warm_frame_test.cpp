@@ -49,6 +49,15 @@ TEST(WarmFrame, OnTwoThreadsAllocatesNothing) {
   expect_no_allocation(small_level(), {.threads = 2, .job_backend = base::JobBackend::kStdThread});
 }
 
+TEST(WarmFrame, BesideATooSmallCacheAllocatesNothing) {
+  for (const std::size_t cache_bytes : {0u, 5'000u, 50'000u})
+    expect_no_allocation(small_level(), {.cache_bytes = cache_bytes});
+}
+
+TEST(WarmFrame, WithoutACacheAllocatesNothing) {
+  expect_no_allocation(small_level(), {.surface_cache = false});
+}
+
 TEST(WarmFrame, OfAStockLevelAllocatesNothing) {
   DATA_FOLDER_OR_SKIP(data);
   expect_no_allocation(stock_level(data, "lq_e0m1"), {});
