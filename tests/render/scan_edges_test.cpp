@@ -318,6 +318,21 @@ TEST(ScanEdges, ComparesDepthsOnEveryRow) {
   }
 }
 
+// From row 20 on, two edges come in from the right, and the first polygon's two have ended: as many as
+// before.
+TEST(ScanEdges, TellsEdgesThatComeFromThoseThatEnd) {
+  Random random(0);
+  HandMadeCase hand_made(random);
+  hand_made.view.width = 64;
+  hand_made.view.height = 40;
+  hand_made.polygons = {
+      {{{10.5, -5}, {30.5, -5}, {30.5, 19.5}, {10.5, 19.5}}, 1, {}},
+      {{{161.5, -5}, {300, -5}, {300, 60}, {-98.5, 60}}, 3, {}},
+      {{{162.5, -5}, {300, -5}, {300, 60}, {-97.5, 60}}, 2, {}},
+  };
+  hand_made.expect_as_defined();
+}
+
 // A band of one row is scanned without a row above to learn from. Edges stand in few places, so that many
 // meet, and planes cross.
 TEST(ScanEdges, FindsOnEveryRowWhatItFindsWithoutTheRowAbove) {
