@@ -1,6 +1,7 @@
 #include "render/surfaces/block_pool.h"
 
-// For others than the address sanitizer's builds its macros are empty.
+// What no room covers is poisoned, so that the address sanitizer sees reads of it. In other builds its macros
+// do nothing.
 #include <sanitizer/asan_interface.h>
 
 #include <algorithm>

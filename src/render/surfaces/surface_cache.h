@@ -2,8 +2,9 @@
 // recently used go first. Blocks of the current frame are never evicted; what does not fit beside them lives
 // until the frame's end only.
 //
-// The budget bounds the memory that is held, holes between blocks included. So room for a block may cost more
-// of the oldest than its size, until what they leave joins.
+// The budget bounds the memory of what is kept, holes between blocks included: room for a block may cost more
+// of the oldest than its size, until what they leave joins. (After the budget itself has shrunk, what was
+// taken before is given back as it becomes empty.)
 #pragma once
 
 #include <array>
@@ -36,7 +37,7 @@ class SurfaceCache {
   // Forgets everything when the level or the format is not that of the last frame.
   void begin_frame(const world::Level& level, std::size_t bytes_per_texel, std::size_t budget_bytes,
                    bool enabled);
-  // Memory stays reserved.
+  // Drops all blocks; their memory stays, for those to come.
   void forget();
 
   struct Lookup {
