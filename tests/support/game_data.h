@@ -23,4 +23,4 @@ base::ByteVector read_file(const std::filesystem::path& path);
 #define DATA_FOLDER_OR_SKIP(variable)                                                      \
   const auto variable##_optional = ::temblor::test::data_folder();                         \
   if (!variable##_optional) GTEST_SKIP() << "TEMBLOR_DATA names no folder with game data"; \
-  const std::filesystem::path variable = *variable##_optional
+  const std::filesystem::path& variable = *variable##_optional

@@ -93,7 +93,7 @@ HWY_INLINE void BuildRgbTexels(D d, const RgbRow& row) {
 
 void BuildRgbRow(const RgbRow& row) {
   if (row.texels_a_sample >= 8)
-    BuildRgbTexels(hn::CappedTag<int16_t, 32>(), row);
+    BuildRgbTexels(hn::CappedTag<int16_t, 32>(), row);  // NOLINT(bugprone-branch-clone): short vectors
   else if (row.texels_a_sample == 4)
     BuildRgbTexels(hn::CappedTag<int16_t, 16>(), row);
   else
