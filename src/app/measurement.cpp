@@ -10,6 +10,8 @@
 #include "app/level_scene.h"
 #include "app/progress.h"
 #include "app/viewpoints.h"
+#include "base/check.h"
+#include "base/large_memory.h"
 
 namespace temblor::app {
 namespace {
@@ -51,14 +53,19 @@ class Bench {
         jobs_(options.settings.threads, options.settings.job_backend) {
     for (const Viewpoint& viewpoint : all_viewpoints(*map.level))
       circles_.push_back(circle_views(viewpoint, options.fov_deg, options.step_deg));
-    if (options.format == render::PixelFormat::kIndexed) window_.resize(frame_.pixel_count());
+    if (options.format == render::PixelFormat::kIndexed) {
+      window_ = base::allocate_large<std::uint32_t>(frame_.pixel_count());
+      CHECK(window_ != nullptr, "no memory for {} pixels", frame_.pixel_count());
+    }
   }
 
   render::FrameStats draw(const render::Camera& camera) {
     return renderer_.render(scene_at(level_scene_, camera, 0.0), options_.settings, frame_);
   }
   void present_frame() {
-    if (!window_.empty()) render::present(frame_, palette_, options_.settings.vector_kernels, jobs_, window_);
+    if (window_ != nullptr)
+      render::present(frame_, palette_, options_.settings.vector_kernels, jobs_,
+                      {window_.get(), frame_.pixel_count()});
   }
   void run_floor() { fill_with_floor_loop(floor_placement_, frame_); }
   void drop_surfaces() { renderer_.drop_surfaces(); }
@@ -73,7 +80,7 @@ class Bench {
   render::FrameBuffer frame_;
   int floor_placement_;
   base::Jobs jobs_;
-  std::vector<std::uint32_t> window_;  // empty where frames need no palette expansion
+  base::LargeMemory<std::uint32_t> window_;  // as a window's is; null where frames need no palette expansion
   std::vector<std::vector<render::Camera>> circles_;
 };
 

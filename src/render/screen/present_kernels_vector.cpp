@@ -6,6 +6,7 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/screen/present_kernels_vector.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -32,6 +33,10 @@ struct ChannelTable {
   }
 };
 
+HWY_INLINE void Stream(__m512i pixels, uint32_t* out) {
+  _mm512_stream_si512(reinterpret_cast<__m512i*>(out), pixels);
+}
+
 // 64 pixels at a time: their channels are looked up apart, then woven together.
 HWY_INLINE size_t ExpandVectors(const uint8_t* HWY_RESTRICT indices, size_t count,
                                 const uint32_t* HWY_RESTRICT colours, uint32_t* HWY_RESTRICT out) {
@@ -50,10 +55,10 @@ HWY_INLINE size_t ExpandVectors(const uint8_t* HWY_RESTRICT indices, size_t coun
     const __m512i r = red.Look(pixels, upper_half), a = alpha.Look(pixels, upper_half);
     const __m512i bg_low = _mm512_unpacklo_epi8(b, g), bg_high = _mm512_unpackhi_epi8(b, g);
     const __m512i ra_low = _mm512_unpacklo_epi8(r, a), ra_high = _mm512_unpackhi_epi8(r, a);
-    _mm512_storeu_si512(out + i, _mm512_unpacklo_epi16(bg_low, ra_low));
-    _mm512_storeu_si512(out + i + 16, _mm512_unpackhi_epi16(bg_low, ra_low));
-    _mm512_storeu_si512(out + i + 32, _mm512_unpacklo_epi16(bg_high, ra_high));
-    _mm512_storeu_si512(out + i + 48, _mm512_unpackhi_epi16(bg_high, ra_high));
+    Stream(_mm512_unpacklo_epi16(bg_low, ra_low), out + i);
+    Stream(_mm512_unpackhi_epi16(bg_low, ra_low), out + i + 16);
+    Stream(_mm512_unpacklo_epi16(bg_high, ra_high), out + i + 32);
+    Stream(_mm512_unpackhi_epi16(bg_high, ra_high), out + i + 48);
   }
   return i;
 }
@@ -69,16 +74,25 @@ HWY_INLINE size_t ExpandVectors(const uint8_t* HWY_RESTRICT indices, size_t coun
   size_t i = 0;
   for (; i + lanes <= count; i += lanes) {
     const auto positions = hn::PromoteTo(di, hn::LoadU(d8, indices + i));
-    hn::StoreU(hn::GatherIndex(d, colours, positions), d, out + i);
+    hn::Stream(hn::GatherIndex(d, colours, positions), d, out + i);
   }
   return i;
 }
 
 #endif
 
+// Whole cache lines of `out` are written past the caches: nothing of ours reads a window, and what the next
+// frame needs stays.
 void ExpandPalette(const uint8_t* HWY_RESTRICT indices, size_t count, const uint32_t* HWY_RESTRICT colours,
                    uint32_t* HWY_RESTRICT out) {
-  for (size_t i = ExpandVectors(indices, count, colours, out); i < count; ++i) out[i] = colours[indices[i]];
+  constexpr size_t kLinePixels = 64 / sizeof(uint32_t);
+  const size_t into_line = reinterpret_cast<uintptr_t>(out) / sizeof(uint32_t) % kLinePixels;
+  const size_t head = HWY_MIN(count, (kLinePixels - into_line) % kLinePixels);
+  size_t i = 0;
+  for (; i < head; ++i) out[i] = colours[indices[i]];
+  i += ExpandVectors(indices + head, count - head, colours, out + head);
+  hwy::FlushStream();
+  for (; i < count; ++i) out[i] = colours[indices[i]];
 }
 
 }  // namespace temblor::render::HWY_NAMESPACE
