@@ -73,7 +73,7 @@ void prefetch_texels(const DrawItem& item, std::span<const SpanRun> runs, bool p
   const std::byte* row_texels = item.block.texels + first_row * row_bytes;
   for (int row = first_row; row <= last_row; ++row, row_texels += row_bytes) {
     const float here = static_cast<float>(row) + 0.5f;
-    const auto [left, right] = std::minmax(top.at(here), bottom.at(here));
+    const auto [left, right] = std::minmax({top.at(here), bottom.at(here)});
     const auto begin = static_cast<std::ptrdiff_t>(std::clamp(left, first_column, last_column)) * texel_bytes;
     const auto end = static_cast<std::ptrdiff_t>(std::clamp(right, first_column, last_column)) * texel_bytes;
     for (std::ptrdiff_t byte = begin; byte < end + kCacheLineBytes; byte += kCacheLineBytes)
