@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <optional>
 
+#include "base/large_memory.h"
+
 namespace temblor::render {
 
 namespace {
-
-constexpr std::ptrdiff_t kCacheLineBytes = 64;
 
 // Pixels, all inclusive.
 struct PixelBox {
@@ -27,26 +27,31 @@ PixelBox box_of(std::span<const SpanRun> runs) {
 }
 
 struct TexelPoint {
-  float s, t;
+  double s, t;
 };
 
 // Nothing where the face's plane is not in front of the eye.
 std::optional<TexelPoint> texel_at(const DrawItem& item, int x, int y, bool perspective) {
   const double depth = perspective ? item.depth.at(x, y) : 1.0;
   if (depth <= 0) return std::nullopt;
-  return TexelPoint{static_cast<float>(item.s.at(x, y) / depth), static_cast<float>(item.t.at(x, y) / depth)};
+  return TexelPoint{item.s.at(x, y) / depth, item.t.at(x, y) / depth};
 }
 
 // A row of pixels, as a line through the texture: s by t.
 struct TexelLine {
-  float s_at_zero, s_per_row;
+  double s_at_zero, s_per_row;
   TexelLine(TexelPoint from, TexelPoint to) {
-    const float rows = to.t - from.t;
-    s_per_row = (to.s - from.s) / (rows != 0.0f ? rows : 1e-6f);
+    const double rows = to.t - from.t;
+    s_per_row = (to.s - from.s) / (rows != 0.0 ? rows : 1e-6);
     s_at_zero = from.s - from.t * s_per_row;
   }
-  float at(float row) const { return s_at_zero + row * s_per_row; }
+  double at(double row) const { return s_at_zero + row * s_per_row; }
 };
+
+// Also of what is not a number, which faces without measure and corners far off the face can make.
+double bounded(double value, double least, double most) {
+  return value > least ? std::min(value, most) : least;
+}
 
 }  // namespace
 
@@ -63,20 +68,21 @@ void prefetch_texels(const DrawItem& item, std::span<const SpanRun> runs, bool p
   const auto [s_min, s_max] = std::minmax({top_left->s, top_right->s, bottom_left->s, bottom_right->s});
   const auto [t_min, t_max] = std::minmax({top_left->t, top_right->t, bottom_left->t, bottom_right->t});
   const SurfaceShape& shape = item.block.shape;
-  const float last_s = static_cast<float>(shape.width - 1), last_t = static_cast<float>(shape.height - 1);
-  const float first_column = std::clamp(s_min, 0.0f, last_s), last_column = std::clamp(s_max, 0.0f, last_s);
-  const int first_row = static_cast<int>(std::clamp(t_min, 0.0f, last_t));
-  const int last_row = static_cast<int>(std::clamp(t_max, 0.0f, last_t));
+  const double last_s = shape.width - 1, last_t = shape.height - 1;
+  const double first_column = bounded(s_min, 0, last_s), last_column = bounded(s_max, 0, last_s);
+  const int first_row = static_cast<int>(bounded(t_min, 0, last_t));
+  const int last_row = static_cast<int>(bounded(t_max, 0, last_t));
   const TexelLine top(*top_left, *top_right), bottom(*bottom_left, *bottom_right);
   const auto texel_bytes = static_cast<std::ptrdiff_t>(bytes_per_texel);
   const std::ptrdiff_t row_bytes = shape.width * texel_bytes;
   const std::byte* row_texels = item.block.texels + first_row * row_bytes;
   for (int row = first_row; row <= last_row; ++row, row_texels += row_bytes) {
-    const float here = static_cast<float>(row) + 0.5f;
+    const double here = row + 0.5;
     const auto [left, right] = std::minmax({top.at(here), bottom.at(here)});
-    const auto begin = static_cast<std::ptrdiff_t>(std::clamp(left, first_column, last_column)) * texel_bytes;
-    const auto end = static_cast<std::ptrdiff_t>(std::clamp(right, first_column, last_column)) * texel_bytes;
-    for (std::ptrdiff_t byte = begin; byte < end + kCacheLineBytes; byte += kCacheLineBytes)
+    const auto begin = static_cast<std::ptrdiff_t>(bounded(left, first_column, last_column)) * texel_bytes;
+    const auto end = static_cast<std::ptrdiff_t>(bounded(right, first_column, last_column)) * texel_bytes;
+    constexpr auto kLineBytes = static_cast<std::ptrdiff_t>(base::kCacheLineBytes);
+    for (std::ptrdiff_t byte = begin; byte < end + kLineBytes; byte += kLineBytes)
       __builtin_prefetch(row_texels + byte);
   }
 }
