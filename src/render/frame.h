@@ -52,10 +52,23 @@ class FrameBuffer {
   base::LargeMemory<float> depth_;
 };
 
-enum class Stage { kView, kVisibility, kEdges, kScan, kSurfaces, kSpans };
-constexpr std::size_t kStages = 6;
-constexpr std::array<const char*, kStages> kStageNames = {"view", "visibility", "edges",
-                                                          "scan", "surfaces",   "spans"};
+enum class Stage {
+  kView,
+  kVisibility,
+  kEdges,
+  kScan,
+  kSurfaces,
+  kSpans,
+  kModels,
+  kSprites,
+  kParticles,
+  kTranslucent,
+  kScreen
+};
+constexpr std::size_t kStages = 11;
+constexpr std::array<const char*, kStages> kStageNames = {"view",      "visibility",  "edges",  "scan",
+                                                          "surfaces",  "spans",       "models", "sprites",
+                                                          "particles", "translucent", "screen"};
 
 struct FrameStats {
   std::uint32_t faces_in_pvs = 0;  // faces of the leafs that the eye's leaf can see

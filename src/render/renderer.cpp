@@ -7,6 +7,7 @@
 
 #include "base/arena.h"
 #include "base/check.h"
+#include "render/colour/colour_tables.h"
 #include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
 #include "render/screen/show.h"
@@ -83,8 +84,7 @@ void count_seen(const EdgeTable& edges, const SpanTable& spans, const DrawItems&
 }  // namespace
 
 struct Renderer::State {
-  formats::Palette palette;
-  BuildTables build_tables;
+  ColourTables colour_tables;
   std::optional<base::Jobs> jobs;
   base::JobBackend job_backend{};
   base::Arena arena;
@@ -118,8 +118,7 @@ struct Renderer::State {
 
 Renderer::Renderer(const formats::Palette& palette, const formats::Colormap& colormap)
     : state_(std::make_unique<State>()) {
-  state_->palette = palette;
-  state_->build_tables = make_build_tables(palette, colormap);
+  state_->colour_tables = make_colour_tables(palette, colormap);
 }
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -148,14 +147,15 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   clock.end(Stage::kEdges);
   s.spans = scan_edges(s.edges, scene, view, band_rows, *s.jobs, s.arena, s.band_arenas);
   clock.end(Stage::kScan);
-  s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.build_tables, io_frame.format(),
+  s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.colour_tables, io_frame.format(),
                              *s.jobs, s.arena, s.job_arenas, s.cache, stats);
   clock.end(Stage::kSurfaces);
-  draw_spans(scene, settings, view, s.spans, s.items, s.build_tables, *s.jobs, s.arena, io_frame);
+  draw_spans(scene, settings, view, s.spans, s.items, s.colour_tables, *s.jobs, s.arena, io_frame);
   clock.end(Stage::kSpans);
 
   if (settings.show != Show::kPicture)
-    draw_shown(settings.show, {*scene.level, view, s.edges, s.spans, s.items}, s.palette, io_frame);
+    draw_shown(settings.show, {*scene.level, view, s.edges, s.spans, s.items}, s.colour_tables.palette,
+               io_frame);
   s.width = width;
   s.height = height;
   stats.faces_in_pvs = visible.faces_in_pvs;

@@ -53,13 +53,16 @@ const std::map<std::string, Names, std::less<>>& allowed_folders() {
 // Inside render, from sub-folder to the sub-folders it may include besides itself.
 const std::map<std::string, Names, std::less<>>& allowed_stages() {
   static const std::map<std::string, Names, std::less<>> table = {
+      {"colour", {}},
       {"view", {}},
       {"edges", {"view"}},
-      {"surfaces", {"view", "edges"}},
-      {"spans", {"view", "edges", "surfaces"}},
-      {"models", {"view"}},
+      {"surfaces", {"view", "edges", "colour"}},
+      {"spans", {"view", "edges", "surfaces", "colour"}},
+      {"models", {"view", "colour"}},
+      // One face at a time, after everything opaque.
+      {"translucent", {"view", "edges", "surfaces", "spans", "models", "colour"}},
       // At the end: it may look at what every stage left behind (`--show`), and no stage knows of it.
-      {"screen", {"view", "edges", "surfaces"}},
+      {"screen", {"view", "edges", "surfaces", "colour"}},
   };
   return table;
 }

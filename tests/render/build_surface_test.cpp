@@ -135,7 +135,7 @@ struct Block {
 void expect_as_defined(const DrawableLevel& drawable, BlockRequest request, PixelFormat format,
                        bool vector_kernels, base::Arena& scratch) {
   const bool indexed = format == PixelFormat::kIndexed;
-  const render::BuildTables tables = render::make_build_tables(drawable.palette, drawable.colormap);
+  const render::ColourTables tables = render::make_colour_tables(drawable.palette, drawable.colormap);
   Block block(
       render::surface_shape(drawable.level->face(request.face), request.tile_s, request.tile_t, request.mip),
       indexed ? 1 : 4);

@@ -58,7 +58,7 @@ void draw_repeating(RepeatRuns job, std::span<const SpanRun> runs, bool vector_k
 }
 
 // Where nothing is: palette entry 0, infinitely far.
-void draw_background(std::span<const SpanRun> runs, const BuildTables& tables, bool fill_depth,
+void draw_background(std::span<const SpanRun> runs, const ColourTables& tables, bool fill_depth,
                      FrameBuffer& io_frame) {
   for (const SpanRun& run : runs) {
     const std::size_t first = std::size_t{run.y} * static_cast<std::size_t>(io_frame.width()) + run.x;
@@ -74,7 +74,7 @@ void draw_background(std::span<const SpanRun> runs, const BuildTables& tables, b
 }  // namespace
 
 void draw_spans(const Scene& scene, const Settings& settings, const ViewFrame& view, const SpanTable& spans,
-                const DrawItems& items, const BuildTables& tables, base::Jobs& jobs, base::Arena& arena,
+                const DrawItems& items, const ColourTables& tables, base::Jobs& jobs, base::Arena& arena,
                 FrameBuffer& io_frame) {
   const PixelFormat format = io_frame.format();
   const KernelDivide divide = divide_of(settings, view);

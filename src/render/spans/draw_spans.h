@@ -9,7 +9,7 @@
 namespace temblor::render {
 
 void draw_spans(const Scene& scene, const Settings& settings, const ViewFrame& view, const SpanTable& spans,
-                const DrawItems& items, const BuildTables& tables, base::Jobs& jobs, base::Arena& arena,
+                const DrawItems& items, const ColourTables& tables, base::Jobs& jobs, base::Arena& arena,
                 FrameBuffer& io_frame);
 
 }  // namespace temblor::render

@@ -17,7 +17,7 @@ ScreenPlane stretched(const ScreenPlane& plane, double factor) {
   return {plane.at_origin * factor, plane.dx * factor, plane.dy * factor};
 }
 
-RepeatingTexture make_texture(const DrawItem& item, const BuildTables& tables, PixelFormat format,
+RepeatingTexture make_texture(const DrawItem& item, const ColourTables& tables, PixelFormat format,
                               base::Arena& arena) {
   const TexturePart whole{*item.texture, item.mip, 0, std::max(1u, item.texture->width >> item.mip)};
   const std::uint8_t* lit = tables.colormap.rows.data() + std::size_t{item.light_row} * 256;
@@ -33,7 +33,7 @@ RepeatingTexture make_texture(const DrawItem& item, const BuildTables& tables, P
 }  // namespace
 
 std::span<const RepeatRuns*> prepare_repeat_runs(const Scene& scene, const ViewFrame& view,
-                                                 const DrawItems& items, const BuildTables& tables,
+                                                 const DrawItems& items, const ColourTables& tables,
                                                  PixelFormat format, base::Arena& arena) {
   const std::span<const RepeatRuns*> by_item =
       arena.allocate_filled<const RepeatRuns*>(items.items.size(), nullptr);

@@ -11,7 +11,7 @@ namespace temblor::render {
 // For every liquid and texture item, all that its spans need but the spans; by item number, null for others.
 // Memory comes from `arena`.
 std::span<const RepeatRuns*> prepare_repeat_runs(const Scene& scene, const ViewFrame& view,
-                                                 const DrawItems& items, const BuildTables& tables,
+                                                 const DrawItems& items, const ColourTables& tables,
                                                  PixelFormat format, base::Arena& arena);
 
 }  // namespace temblor::render

@@ -17,7 +17,7 @@ void copy_vector(const math::Vec3d& from, double (&out)[3]) {
 }
 
 SkyRuns make_layers(const world::Texture& texture, const ViewFrame& view, double time_s,
-                    const BuildTables& tables, PixelFormat format, base::Arena& arena) {
+                    const ColourTables& tables, PixelFormat format, base::Arena& arena) {
   SkyRuns sky{};
   const std::uint32_t clouds = std::max(1u, texture.width / 2), back_left = texture.width - clouds;
   const TexturePart front{texture, 0, 0, clouds}, behind{texture, 0, back_left, clouds};
@@ -64,7 +64,7 @@ SkyRuns make_layers(const world::Texture& texture, const ViewFrame& view, double
 }  // namespace
 
 std::span<const SkyRuns*> prepare_sky_runs(const Scene& scene, const ViewFrame& view, const DrawItems& items,
-                                           const BuildTables& tables, PixelFormat format,
+                                           const ColourTables& tables, PixelFormat format,
                                            base::Arena& arena) {
   const std::span<const SkyRuns*> by_item =
       arena.allocate_filled<const SkyRuns*>(items.items.size(), nullptr);

@@ -12,6 +12,7 @@ namespace temblor::render {
 // For every sky item, all that its spans need but the spans and their depth; by item number, null for others.
 // Memory comes from `arena`.
 std::span<const SkyRuns*> prepare_sky_runs(const Scene& scene, const ViewFrame& view, const DrawItems& items,
-                                           const BuildTables& tables, PixelFormat format, base::Arena& arena);
+                                           const ColourTables& tables, PixelFormat format,
+                                           base::Arena& arena);
 
 }  // namespace temblor::render

@@ -63,7 +63,7 @@ std::int32_t interpolate(std::int32_t from, std::int32_t to, std::int32_t fracti
 
 class Builder {
  public:
-  Builder(const world::Level& level, const BuildTables& tables, const BlockRequest& request,
+  Builder(const world::Level& level, const ColourTables& tables, const BlockRequest& request,
           bool vector_kernels, base::Arena& scratch)
       : level_(level),
         tables_(tables),
@@ -180,7 +180,7 @@ class Builder {
   }
 
   const world::Level& level_;
-  const BuildTables& tables_;
+  const ColourTables& tables_;
   const BlockRequest& request_;
   const bool vector_;
   base::Arena& scratch_;
@@ -191,16 +191,6 @@ class Builder {
 
 }  // namespace
 
-BuildTables make_build_tables(const formats::Palette& palette, const formats::Colormap& colormap) {
-  BuildTables tables{colormap, {}, {}};
-  const auto first_fullbright = static_cast<std::size_t>(256 - colormap.fullbrights);
-  for (std::size_t i = 0; i < palette.size(); ++i) {
-    tables.rgb[i] = to_rgb(palette[i]);
-    tables.surface_rgb[i] = i >= first_fullbright ? tables.rgb[i] & 0xffffffu : tables.rgb[i];
-  }
-  return tables;
-}
-
 SurfaceShape surface_shape(const world::Face& face, int tile_s, int tile_t, int mip) {
   const auto size = [&](std::int32_t extent, int tile) {
     return std::max(1, std::min(extent - tile * kTileTexels, kTileTexels) >> mip);
@@ -208,7 +198,7 @@ SurfaceShape surface_shape(const world::Face& face, int tile_s, int tile_t, int 
   return {size(face.texture_extents[0], tile_s), size(face.texture_extents[1], tile_t)};
 }
 
-void build_surface(const world::Level& level, const BuildTables& tables, const BlockRequest& request,
+void build_surface(const world::Level& level, const ColourTables& tables, const BlockRequest& request,
                    PixelFormat format, bool vector_kernels, base::Arena& scratch) {
   scratch.reset();
   Builder builder(level, tables, request, vector_kernels, scratch);

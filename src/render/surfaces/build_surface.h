@@ -10,24 +10,15 @@
 // Full-bright palette entries keep their colour.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "base/arena.h"
-#include "formats/palette.h"
+#include "render/colour/colour_tables.h"
 #include "render/frame.h"
 #include "render/surfaces/surface_block.h"
 #include "render/surfaces/surface_cache.h"
 
 namespace temblor::render {
-
-// The look of a game, as the builder and the span drawers read it.
-struct BuildTables {
-  formats::Colormap colormap;
-  std::array<std::uint32_t, 256> rgb;          // 0xffRRGGBB
-  std::array<std::uint32_t, 256> surface_rgb;  // the same, with alpha 0 where light changes nothing
-};
-BuildTables make_build_tables(const formats::Palette& palette, const formats::Colormap& colormap);
 
 struct BlockRequest {
   world::FaceIndex face;
@@ -39,7 +30,7 @@ struct BlockRequest {
 
 SurfaceShape surface_shape(const world::Face& face, int tile_s, int tile_t, int mip);
 
-void build_surface(const world::Level& level, const BuildTables& tables, const BlockRequest& request,
+void build_surface(const world::Level& level, const ColourTables& tables, const BlockRequest& request,
                    PixelFormat format, bool vector_kernels, base::Arena& scratch);
 
 }  // namespace temblor::render

@@ -20,9 +20,6 @@ namespace temblor::render {
 
 enum class ItemKind : std::uint8_t { kUnused, kNothing, kSurface, kTexture, kLiquid, kSky };
 
-// Rows of the colormap.
-constexpr std::uint8_t kLightAsStored = 31, kLightNone = 63;
-
 struct DrawItem {
   ItemKind kind = ItemKind::kUnused;
   std::uint8_t mip = 0;
@@ -42,7 +39,7 @@ struct DrawItems {
 
 // `io_job_arenas` grows as needed: one for each job that runs at the same time as others.
 DrawItems prepare_surfaces(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                           const EdgeTable& table, const SpanTable& spans, const BuildTables& build_tables,
+                           const EdgeTable& table, const SpanTable& spans, const ColourTables& colour_tables,
                            PixelFormat format, base::Jobs& jobs, base::Arena& arena,
                            std::vector<base::Arena>& io_job_arenas, SurfaceCache& io_cache,
                            FrameStats& io_stats);

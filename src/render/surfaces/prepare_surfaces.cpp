@@ -252,7 +252,7 @@ void ready_arenas(std::vector<base::Arena>& io_arenas, std::size_t count) {
 }  // namespace
 
 DrawItems prepare_surfaces(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                           const EdgeTable& table, const SpanTable& spans, const BuildTables& build_tables,
+                           const EdgeTable& table, const SpanTable& spans, const ColourTables& colour_tables,
                            PixelFormat format, base::Jobs& jobs, base::Arena& arena,
                            std::vector<base::Arena>& io_job_arenas, SurfaceCache& io_cache,
                            FrameStats& io_stats) {
@@ -282,7 +282,7 @@ DrawItems prepare_surfaces(const Scene& scene, const Settings& settings, const V
   ready_arenas(io_job_arenas, build_jobs);
   jobs.parallel_for(build_jobs, [&](std::size_t job) {
     for (std::size_t i = job; i < requests.size(); i += build_jobs)
-      build_surface(*scene.level, build_tables, requests[i], format, settings.vector_kernels,
+      build_surface(*scene.level, colour_tables, requests[i], format, settings.vector_kernels,
                     io_job_arenas[job]);
   });
   return {preparation.items()};

@@ -1,0 +1,121 @@
+// What a client knows of the game, from nothing but the server's messages: no window, no files, no clock.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "client/seen_entity.h"
+#include "net/server_message.h"
+#include "world/animation.h"
+
+namespace temblor::client {
+
+enum class Stat : std::uint8_t {
+  kHealth = 0,
+  kFrags = 1,
+  kWeaponModel = 2,
+  kAmmo = 3,
+  kArmor = 4,
+  kWeaponFrame = 5,
+  kShells = 6,
+  kNails = 7,
+  kRockets = 8,
+  kCells = 9,
+  kActiveWeapon = 10,
+  kTotalSecrets = 11,
+  kTotalMonsters = 12,
+  kSecrets = 13,
+  kMonsters = 14
+};
+
+struct Player {
+  std::string name;
+  std::int16_t frags = 0;
+  std::uint8_t shirt = 0, pants = 0;
+};
+
+enum class Ending { kNone, kIntermission, kFinale, kCutScene };
+
+// What holds from serverinfo on, until the next one.
+struct Game {
+  net::Dialect dialect;
+  bool deathmatch = false;
+  std::string level_name;           // "The Slipgate Complex"
+  std::vector<std::string> models;  // [0] is empty; [1] is the level, "maps/e1m1.bsp"; "*1" a part of it
+  std::vector<std::string> sounds;  // [0] is empty
+  std::vector<Player> players;      // max_clients of them
+  int signon = 0;                   // 4: playing
+  std::uint16_t view_entity = 0;
+  std::array<std::int32_t, net::kStats> stats{};
+  net::ClientData data;  // of the last update
+  world::LightStylePatterns light_styles;
+  math::Vec3 set_angles_deg{0.0f};
+  bool paused = false;
+  Ending ending = Ending::kNone;
+  double ending_since_s = 0;  // when the ending began: play time stands still
+  std::string ending_text;
+  std::string center_text;
+  double center_text_since_s = 0;
+  std::uint8_t music_track = 0;
+  std::optional<std::string> skybox;  // as the server said; else as the level says
+  std::optional<net::Fog> fog;        // alike
+  double fog_since_s = 0;
+
+  std::int32_t stat(Stat stat) const { return stats[static_cast<std::size_t>(stat)]; }
+};
+
+// What happened once. The client acts on it (effects, sounds, flashes) and clears it.
+struct Events {
+  std::vector<net::TempEntity> temp_entities;
+  std::vector<net::Particles> particles;
+  std::vector<net::Damage> damages;
+  std::vector<net::Sound> sounds;
+  std::vector<net::SpawnStaticSound> static_sounds;
+  std::vector<std::string> prints;    // lines for the console
+  std::vector<std::string> commands;  // stufftext
+  int bonus_flashes = 0;
+  bool new_level = false;  // a serverinfo came
+  void clear() { *this = {}; }
+};
+
+struct ClientSettings {
+  bool interpolate =
+      true;  // false: entities stand where the last update put them, as the original played demos
+  // Precache numbers of models that are not to be blended from frame to frame (flames): r_nolerp_list.
+  std::vector<bool> no_lerp_models;
+};
+
+class ClientState {
+ public:
+  // Fails on what makes no sense after what came before (an entity number out of range, an update before
+  // serverinfo); the state is then as if the message had not come.
+  base::Status apply(const net::ServerMessage& message);
+  // After the last message of a packet or recorded message: entities that it left out are gone.
+  void end_packet();
+
+  const Game& game() const { return game_; }
+  Events& events() { return events_; }
+
+  // The server's times of the last two packets. Drawing happens between them.
+  double time_s() const { return time_s_; }
+  double previous_time_s() const { return previous_time_s_; }
+
+  // All entities that the last packet showed, and the static ones, as they are at `time_s`, in order of
+  // number. Valid until the next call.
+  std::span<const SeenEntity> entities_at(double time_s, const ClientSettings& settings);
+
+ private:
+  Game game_;
+  Events events_;
+  double time_s_ = 0, previous_time_s_ = 0;
+  struct Entities;
+  std::shared_ptr<Entities> entities_;
+};
+
+}  // namespace temblor::client

@@ -1,0 +1,35 @@
+// An entity at the moment of drawing: interpolated, so that it moves smoothly between two updates.
+#pragma once
+
+#include <cstdint>
+
+#include "math/vec.h"
+
+namespace temblor::client {
+
+// EntityUpdate::effects.
+enum EntityEffects : std::uint8_t {
+  kEffectBrightField = 1,
+  kEffectMuzzleFlash = 2,
+  kEffectBrightLight = 4,
+  kEffectDimLight = 8
+};
+
+struct SeenEntity {
+  std::uint32_t number = 0;  // from 1; a static entity's counts on from kFirstStatic
+  std::uint16_t model = 0;   // of the precache list, from 1
+  math::Vec3 origin_world{0.0f}, angles_deg{0.0f};
+  // Where it was when it was last asked for; origin_world when it has just come or jumped, so that no trail
+  // leads there.
+  math::Vec3 previous_origin_world{0.0f};
+  std::uint16_t from_frame = 0, to_frame = 0;
+  float blend = 0;  // 0: from_frame, 1: to_frame
+  std::uint8_t skin = 0, colormap = 0;
+  std::uint8_t effects = 0;       // EntityEffects
+  bool muzzle_flash_now = false;  // the update that asked for it came since the last time
+  float alpha = 1, scale = 1;
+
+  static constexpr std::uint32_t kFirstStatic = 1u << 16;
+};
+
+}  // namespace temblor::client

@@ -1,0 +1,18 @@
+#include "render/colour/colour_tables.h"
+
+#include "render/frame.h"
+
+namespace temblor::render {
+
+ColourTables make_colour_tables(const formats::Palette& palette, const formats::Colormap& colormap) {
+  ColourTables tables{palette, colormap, {}, {}, 256 - colormap.fullbrights};
+  for (int i = 0; i < 256; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    tables.rgb[index] = to_rgb(palette[index]);
+    tables.surface_rgb[index] =
+        i >= tables.first_fullbright ? tables.rgb[index] & 0xffffffu : tables.rgb[index];
+  }
+  return tables;
+}
+
+}  // namespace temblor::render
