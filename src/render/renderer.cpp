@@ -88,6 +88,7 @@ struct Renderer::State {
   explicit State(ColourTables tables) : colour_tables(std::move(tables)) {}
 
   ColourTables colour_tables;
+  std::optional<MarkLook> mark_look;  // made for the first marks
   std::optional<base::Jobs> jobs;
   base::JobBackend job_backend{};
   base::Arena arena;
@@ -133,6 +134,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   FrameStats stats;
   s.follow_settings(settings);
   s.follow_level(*scene.level);
+  if (has_marks(scene) && !s.mark_look) s.mark_look.emplace(s.colour_tables);
   s.arena.reset();
   const int width = io_frame.width(), height = io_frame.height();
   CHECK(width >= 1 && width <= 8192 && height >= 1 && height <= 8192, "{}x{}", width, height);
@@ -148,8 +150,9 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   clock.end(Stage::kEdges);
   s.spans = scan_edges(s.edges, scene, view, band_rows, *s.jobs, s.arena, s.band_arenas);
   clock.end(Stage::kScan);
-  s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.colour_tables, io_frame.format(),
-                             *s.jobs, s.arena, s.job_arenas, s.cache, stats);
+  s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.colour_tables,
+                             s.mark_look ? &*s.mark_look : nullptr, io_frame.format(), *s.jobs, s.arena,
+                             s.job_arenas, s.cache, stats);
   clock.end(Stage::kSurfaces);
   draw_spans(scene, settings, view, s.spans, s.items, s.colour_tables, *s.jobs, s.arena, io_frame);
   clock.end(Stage::kSpans);
