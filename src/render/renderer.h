@@ -30,6 +30,9 @@ struct Settings {
   bool use_pvs = true;
   bool fill_depth = true;      // false: for measuring what filling 1/z costs
   bool coloured_light = true;  // false: grey light also where the level has colours
+  // Faces of odd and of even number follow changes of light in turn, each every second frame, and show the
+  // light of the frame before in between (Scene::light_before).
+  bool relight_alternate = false;
   int band_rows = 0;           // scan lines a band; 0: chosen from size and threads
   Show show = Show::kPicture;
   bool operator==(const Settings&) const = default;
