@@ -20,6 +20,9 @@ void expect_no_allocation(const DrawableLevel& drawable, const render::Settings&
     viewpoints.push_back({.camera = random_camera(*drawable.level, random),
                           .brush_models = shown_brush_models(*drawable.level),
                           .time_s = 1});
+    Viewpoint& viewpoint = viewpoints.back();
+    viewpoint.lights = random_lights(viewpoint.camera.origin_world, 4, random);
+    viewpoint.marks = random_marks(*drawable.level, drawable.level->faces.size(), random);
   }
   for (const render::PixelFormat format : {render::PixelFormat::kIndexed, render::PixelFormat::kRgb}) {
     render::Renderer renderer(drawable.palette, drawable.colormap);
