@@ -80,7 +80,7 @@ Steps steps_of(const ClientData& message) {
 }
 
 std::uint32_t flags_of(const ClientData& message, const Steps& steps, bool extended) {
-  std::uint32_t flags = kItems;
+  std::uint32_t flags = kItems | kWeapon;  // both always, as stock servers do
   if (steps.view_height != kDefaultViewHeight) flags |= kViewHeight;
   if (steps.ideal_pitch != 0) flags |= kIdealPitch;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -91,7 +91,6 @@ std::uint32_t flags_of(const ClientData& message, const Steps& steps, bool exten
   if (message.in_water) flags |= kInWater;
   if (message.weapon_frame != 0) flags |= kWeaponFrame;
   if (message.armor != 0) flags |= kArmor;
-  if (message.weapon_model != 0) flags |= kWeapon;
   if (extended) {
     for (const WideField& wide : kWideFields)
       if (message.*wide.field > 255) flags |= wide.high_byte_flag;
@@ -109,7 +108,7 @@ void write_low_bytes(const ClientData& message, std::uint32_t flags, FieldWriter
   };
   if (flags & kWeaponFrame) low_byte(&ClientData::weapon_frame);
   if (flags & kArmor) low_byte(&ClientData::armor);
-  if (flags & kWeapon) low_byte(&ClientData::weapon_model);
+  low_byte(&ClientData::weapon_model);
   io_fields.i16(message.health);
   for (const auto field :
        {&ClientData::ammo, &ClientData::shells, &ClientData::nails, &ClientData::rockets, &ClientData::cells})
