@@ -56,7 +56,7 @@ struct SetAngle {
 };
 // Precache lists: numbers start at 1.
 struct ServerInfo {
-  Dialect dialect;
+  Dialect dialect{};
   std::uint8_t max_clients = 1;
   std::uint8_t game_type = 0;  // 0 co-operative, 1 deathmatch
   std::string_view level_name{};

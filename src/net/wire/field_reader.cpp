@@ -49,7 +49,7 @@ float FieldReader::coord() {
   }
   const float value = finite("a coordinate");
   if (std::abs(value) <= kMaxCoord) return value;
-  refuse(ErrorCode::kTooLarge, "a coordinate is {}, and none may be over {}", value, kMaxCoord);
+  refuse(ErrorCode::kTooLarge, "a coordinate is {}, beyond {}", value, static_cast<int>(kMaxCoord));
   return 0;
 }
 

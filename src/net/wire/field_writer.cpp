@@ -60,7 +60,7 @@ void FieldWriter::coords(const math::Vec3& value) {
 
 void FieldWriter::angle_deg(float value) {
   if (angle_encoding_ == AngleEncoding::kFloat) return finite(value, "angle");
-  if (!std::isfinite(value)) refuse("angle {} is none", value);
+  if (!std::isfinite(value)) refuse("angle {} is not finite", value);
   // Half a turn either way, so that the number of steps fits an int; half a turn itself may round to either
   // end.
   const double turn = std::remainder(static_cast<double>(value), 360.0) / 360;
