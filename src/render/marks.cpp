@@ -3,22 +3,11 @@
 #include <bit>
 
 #include "base/check.h"
+#include "base/mixed_bits.h"
 
 namespace temblor::render {
 
 namespace {
-
-// The last step of splitmix64 (Steele, Lea, Flood, 2014): every bit of the input changes half of the
-// output's.
-std::uint64_t mixed(std::uint64_t value) {
-  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9u;
-  value = (value ^ (value >> 27)) * 0x94d049bb133111ebu;
-  return value ^ (value >> 31);
-}
-
-std::uint64_t after(std::uint64_t hash, std::uint64_t value) {
-  return mixed((hash ^ value) + 0x9e3779b97f4a7c15u);
-}
 
 // Adding zero makes -0 and 0, which are equal, one pattern of bits.
 std::uint64_t bits(float value) {
@@ -28,9 +17,9 @@ std::uint64_t bits(float value) {
 std::uint64_t hash_of(std::span<const Mark> marks) {
   std::uint64_t hash = marks.size();
   for (const Mark& mark : marks) {
-    hash = after(hash, static_cast<std::uint64_t>(mark.kind) << 32 | mark.seed);
-    hash = after(hash, bits(mark.position_model.x) << 32 | bits(mark.position_model.y));
-    hash = after(hash, bits(mark.position_model.z) << 32 | bits(mark.radius));
+    hash = base::mixed_in(hash, static_cast<std::uint64_t>(mark.kind) << 32 | mark.seed);
+    hash = base::mixed_in(hash, bits(mark.position_model.x) << 32 | bits(mark.position_model.y));
+    hash = base::mixed_in(hash, bits(mark.position_model.z) << 32 | bits(mark.radius));
   }
   return hash == 0 ? 1 : hash;
 }
