@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/arena.h"
@@ -84,6 +85,8 @@ void count_seen(const EdgeTable& edges, const SpanTable& spans, const DrawItems&
 }  // namespace
 
 struct Renderer::State {
+  explicit State(ColourTables tables) : colour_tables(std::move(tables)) {}
+
   ColourTables colour_tables;
   std::optional<base::Jobs> jobs;
   base::JobBackend job_backend{};
@@ -117,9 +120,7 @@ struct Renderer::State {
 };
 
 Renderer::Renderer(const formats::Palette& palette, const formats::Colormap& colormap)
-    : state_(std::make_unique<State>()) {
-  state_->colour_tables = make_colour_tables(palette, colormap);
-}
+    : state_(std::make_unique<State>(make_colour_tables(palette, colormap))) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
