@@ -11,6 +11,8 @@
 #include "render/colour/colour_tables.h"
 #include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
+#include "render/models/draw_particles.h"
+#include "render/models/draw_sprites.h"
 #include "render/screen/show.h"
 #include "render/spans/draw_spans.h"
 #include "render/surfaces/draw_items.h"
@@ -153,6 +155,12 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   clock.end(Stage::kSurfaces);
   draw_spans(scene, settings, view, s.spans, s.items, s.colour_tables, *s.jobs, s.arena, io_frame);
   clock.end(Stage::kSpans);
+  if (settings.fill_depth) {  // what follows is tested against it
+    draw_sprites(scene, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    clock.end(Stage::kSprites);
+    draw_particles(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    clock.end(Stage::kParticles);
+  }
 
   if (settings.show != Show::kPicture)
     draw_shown(settings.show, {*scene.level, view, s.edges, s.spans, s.items}, s.colour_tables.palette,
