@@ -13,6 +13,7 @@
 #include "render/edges/span_table.h"
 #include "render/models/draw_particles.h"
 #include "render/models/draw_sprites.h"
+#include "render/screen/draw_overlay.h"
 #include "render/screen/show.h"
 #include "render/spans/draw_spans.h"
 #include "render/surfaces/draw_items.h"
@@ -173,6 +174,10 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   stats.bands = static_cast<std::uint32_t>(s.spans.bands.size());
   count_seen(s.edges, s.spans, s.items, stats);
   return stats;
+}
+
+void Renderer::draw_overlay(const DrawList& list, FrameBuffer& io_frame) const {
+  render::draw_overlay(list, state_->colour_tables, io_frame);
 }
 
 void Renderer::pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_t> out_writes) const {
