@@ -95,6 +95,8 @@ struct ClientState::Apply {
   }
 
   base::Status operator()(const net::Time& time) {
+    if (!(time.time_s >= 0 && time.time_s <= kMaxServerTime_s))
+      return base::malformed("{} s, expected 0 to {}", time.time_s, kMaxServerTime_s);
     const double time_s = static_cast<double>(time.time_s);
     state.previous_time_s_ = state.has_time_ ? now_s() : time_s;
     state.window_ = packet_window(state.previous_time_s_, time_s);

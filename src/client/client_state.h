@@ -44,6 +44,8 @@ struct Player {
 enum class Ending { kNone, kIntermission, kFinale, kCutScene };
 
 constexpr int kPlaying = 4;
+// Half a year. Times are told as 32-bit floats: long before, they come in whole seconds.
+constexpr float kMaxServerTime_s = 1 << 24;
 
 // What holds from serverinfo on, until the next one.
 struct Game {
