@@ -10,6 +10,7 @@
 #include "render/colour/colour_tables.h"
 #include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
+#include "render/models/draw_alias_models.h"
 #include "render/screen/show.h"
 #include "render/spans/draw_spans.h"
 #include "render/surfaces/draw_items.h"
@@ -89,7 +90,7 @@ struct Renderer::State {
   base::JobBackend job_backend{};
   base::Arena arena;
   std::vector<EdgeJobArenas> edge_arenas;
-  std::vector<base::Arena> band_arenas, job_arenas;
+  std::vector<base::Arena> band_arenas, job_arenas, model_arenas;
   std::vector<std::uint8_t> pvs_row;
   std::shared_ptr<const world::LevelIdentity> level;
   LevelTables level_tables;
@@ -152,6 +153,10 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   clock.end(Stage::kSurfaces);
   draw_spans(scene, settings, view, s.spans, s.items, s.colour_tables, *s.jobs, s.arena, io_frame);
   clock.end(Stage::kSpans);
+  if (settings.fill_depth)
+    draw_alias_models(scene, settings, view, band_rows, s.colour_tables, *s.jobs, s.arena, s.model_arenas,
+                      io_frame);
+  clock.end(Stage::kModels);
 
   if (settings.show != Show::kPicture)
     draw_shown(settings.show, {*scene.level, view, s.edges, s.spans, s.items}, s.colour_tables.palette,
