@@ -11,6 +11,7 @@
 #include "render/colour/colour_tables.h"
 #include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
+#include "render/models/draw_alias_models.h"
 #include "render/models/draw_particles.h"
 #include "render/models/draw_sprites.h"
 #include "render/screen/draw_overlay.h"
@@ -95,7 +96,7 @@ struct Renderer::State {
   base::JobBackend job_backend{};
   base::Arena arena;
   std::vector<EdgeJobArenas> edge_arenas;
-  std::vector<base::Arena> band_arenas, job_arenas;
+  std::vector<base::Arena> band_arenas, job_arenas, model_arenas;
   std::vector<std::uint8_t> pvs_row;
   std::shared_ptr<const world::LevelIdentity> level;
   LevelTables level_tables;
@@ -157,6 +158,9 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   draw_spans(scene, settings, view, s.spans, s.items, s.colour_tables, *s.jobs, s.arena, io_frame);
   clock.end(Stage::kSpans);
   if (settings.fill_depth) {  // what follows is tested against it
+    draw_alias_models(scene, settings, view, band_rows, s.colour_tables, *s.jobs, s.arena, s.model_arenas,
+                      io_frame);
+    clock.end(Stage::kModels);
     draw_sprites(scene, view, s.colour_tables, *s.jobs, s.arena, io_frame);
     clock.end(Stage::kSprites);
     draw_particles(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
