@@ -11,7 +11,10 @@
 #include "render/colour/colour_tables.h"
 #include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
+#include "render/screen/fog_picture.h"
 #include "render/screen/show.h"
+#include "render/screen/tint_picture.h"
+#include "render/screen/warp.h"
 #include "render/spans/draw_spans.h"
 #include "render/surfaces/cutout_textures.h"
 #include "render/surfaces/draw_items.h"
@@ -107,6 +110,7 @@ struct Renderer::State {
   CutoutTextures cutouts;
   SurfaceCache cache;
   FogTables fog_tables;
+  Warp warp;
 
   // The last frame, for pixel_faces: it lives in the arenas until the next one.
   int width = 0, height = 0;
@@ -175,8 +179,13 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   const LateTarget late_target{s.spans, s.edges, sources, s.colour_tables, fog, view};
   draw_late_faces(late.opaque, late_target, *s.jobs, s.job_arenas, io_frame);
   clock.end(Stage::kTranslucent);
+  fog_picture(fog, s.spans, s.items, *s.jobs, io_frame);
+  clock.end(Stage::kScreen);
   draw_late_faces(late.translucent, late_target, *s.jobs, s.job_arenas, io_frame);
   clock.end(Stage::kTranslucent);
+  if (scene.underwater) s.warp.apply(scene.time_s, *s.jobs, io_frame);
+  tint_picture(scene.tint, s.colour_tables, settings.vector_kernels, *s.jobs, io_frame);
+  clock.end(Stage::kScreen);
 
   if (settings.show != Show::kPicture)
     draw_shown(settings.show, {*scene.level, view, s.edges, s.spans, s.items}, s.colour_tables.palette,
