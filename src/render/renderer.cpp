@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/arena.h"
@@ -10,6 +11,9 @@
 #include "render/colour/colour_tables.h"
 #include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
+#include "render/models/draw_particles.h"
+#include "render/models/draw_sprites.h"
+#include "render/screen/draw_overlay.h"
 #include "render/screen/show.h"
 #include "render/spans/draw_spans.h"
 #include "render/surfaces/draw_items.h"
@@ -84,6 +88,8 @@ void count_seen(const EdgeTable& edges, const SpanTable& spans, const DrawItems&
 }  // namespace
 
 struct Renderer::State {
+  explicit State(ColourTables tables) : colour_tables(std::move(tables)) {}
+
   ColourTables colour_tables;
   std::optional<base::Jobs> jobs;
   base::JobBackend job_backend{};
@@ -117,9 +123,7 @@ struct Renderer::State {
 };
 
 Renderer::Renderer(const formats::Palette& palette, const formats::Colormap& colormap)
-    : state_(std::make_unique<State>()) {
-  state_->colour_tables = make_colour_tables(palette, colormap);
-}
+    : state_(std::make_unique<State>(make_colour_tables(palette, colormap))) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
@@ -152,6 +156,12 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   clock.end(Stage::kSurfaces);
   draw_spans(scene, settings, view, s.spans, s.items, s.colour_tables, *s.jobs, s.arena, io_frame);
   clock.end(Stage::kSpans);
+  if (settings.fill_depth) {  // what follows is tested against it
+    draw_sprites(scene, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    clock.end(Stage::kSprites);
+    draw_particles(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    clock.end(Stage::kParticles);
+  }
 
   if (settings.show != Show::kPicture)
     draw_shown(settings.show, {*scene.level, view, s.edges, s.spans, s.items}, s.colour_tables.palette,
@@ -164,6 +174,10 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   stats.bands = static_cast<std::uint32_t>(s.spans.bands.size());
   count_seen(s.edges, s.spans, s.items, stats);
   return stats;
+}
+
+void Renderer::draw_overlay(const DrawList& list, FrameBuffer& io_frame) const {
+  render::draw_overlay(list, state_->colour_tables, io_frame);
 }
 
 void Renderer::pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_t> out_writes) const {
