@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "render/allocation_counter.h"
+#include "support/allocation_counter.h"
 #include "render/renderer.h"
 #include "support/drawable_level.h"
 #include "support/game_data.h"
