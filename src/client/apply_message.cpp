@@ -265,10 +265,7 @@ struct ClientState::Apply {
     game.skybox = skybox.name;
     return base::Ok{};
   }
-  // A fade that is cut short goes on from where it is; from the level's own fog, which is not known here, it
-  // counts as having been over.
   base::Status operator()(const net::Fog& fog) {
-    if (game.fog) game.fog_before = fog_at(game, game.fog_before.value_or(*game.fog), now_s());
     game.fog = fog;
     game.fog_since_s = now_s();
     return base::Ok{};
