@@ -109,6 +109,7 @@ struct Renderer::State {
   FaceOutlines face_outlines;
   CutoutTextures cutouts;
   SurfaceCache cache;
+  PreparedSkybox skybox;
   FogTables fog_tables;
   Warp warp;
 
@@ -169,7 +170,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
                              *s.jobs, s.arena, s.job_arenas, s.cache, stats);
   clock.end(Stage::kSurfaces);
   const SpanSources sources =
-      prepare_span_sources(scene, settings, view, s.items, s.colour_tables, format, s.arena);
+      prepare_span_sources(scene, settings, view, s.items, s.colour_tables, format, s.skybox, s.arena);
   draw_spans(settings, view, s.spans, sources, s.colour_tables, *s.jobs, io_frame);
   clock.end(Stage::kSpans);
 
