@@ -113,6 +113,7 @@ struct Renderer::State {
   FaceOutlines face_outlines;
   CutoutTextures cutouts;
   SurfaceCache cache;
+  PreparedSkybox skybox;
   FogTables fog_tables;
   Warp warp;
 
@@ -173,7 +174,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
                              *s.jobs, s.arena, s.job_arenas, s.cache, stats);
   clock.end(Stage::kSurfaces);
   const SpanSources sources =
-      prepare_span_sources(scene, settings, view, s.items, s.colour_tables, format, s.arena);
+      prepare_span_sources(scene, settings, view, s.items, s.colour_tables, format, s.skybox, s.arena);
   draw_spans(settings, view, s.spans, sources, s.colour_tables, *s.jobs, io_frame);
   clock.end(Stage::kSpans);
   if (settings.fill_depth) {  // what follows is tested against it
