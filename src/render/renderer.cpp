@@ -157,7 +157,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   draw_spans(scene, settings, view, s.spans, s.items, s.colour_tables, *s.jobs, s.arena, io_frame);
   clock.end(Stage::kSpans);
   if (settings.fill_depth) {  // what follows is tested against it
-    draw_sprites(scene, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    draw_sprites(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
     clock.end(Stage::kSprites);
     draw_particles(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
     clock.end(Stage::kParticles);
