@@ -4,8 +4,6 @@
 
 namespace temblor::app {
 
-using base::ErrorCode;
-
 DemoRun::DemoRun(const LoadedDemo& demo, client::DemoPlayer player, const FrameOptions& frame,
                  const client::PresentationSettings& presentation, const render::Settings& settings)
     : player_(std::move(player)),
@@ -22,32 +20,24 @@ base::Result<DemoRun> DemoRun::start(const LoadedDemo& demo, const FrameOptions&
                                      const render::Settings& settings) {
   TRY(client::DemoPlayer player, client::DemoPlayer::open(demo.bytes, demo.name));
   DemoRun run(demo, std::move(player), frame, presentation, settings);
-  while (run.player_.state().game().signon < 4) {
-    TRY(const bool goes_on, run.advance_by_packet());
-    if (goes_on) continue;
-    base::Error error = base::error(ErrorCode::kMalformed, "the recording ends before a game has begun");
-    error.file = demo.name;
-    return error;
-  }
-  run.first_time_s_ = run.time_s_;
+  TRY_STATUS(run.advance_by_packet());
   return run;
 }
 
 base::Status DemoRun::present() {
-  client::ClientState& state = player_.state();
-  return presentation_->advance(state, time_s_, player_.view_angles_at(time_s_), presentation_settings_);
+  const double time_s = player_.server_time_s();
+  const math::Vec3 angles_deg = player_.view_angles_at(time_s, presentation_settings_.client);
+  return presentation_->advance(player_.state(), time_s, angles_deg, presentation_settings_);
 }
 
 base::Result<bool> DemoRun::advance_to(double time_s) {
   TRY(const bool goes_on, player_.advance_to(time_s));
-  time_s_ = time_s;
   TRY_STATUS(present());
   return goes_on;
 }
 
 base::Result<bool> DemoRun::advance_by_packet() {
   TRY(const bool goes_on, player_.read_packet());
-  time_s_ = player_.state().time_s();
   TRY_STATUS(present());
   return goes_on;
 }
@@ -56,7 +46,7 @@ render::FrameStats DemoRun::draw() {
   render::FrameStats stats = renderer_.render(presentation_->scene(), render_settings_, frame_);
   const render::DrawList& list =
       presentation_->draw_list(player_.state(), frame_.width(), frame_.height(), presentation_settings_);
-  renderer_.draw_overlay(list, frame_, stats);
+  renderer_.draw_overlay(list, frame_);
   return stats;
 }
 

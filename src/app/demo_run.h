@@ -20,10 +20,7 @@ class DemoRun {
                                      const client::PresentationSettings& presentation,
                                      const render::Settings& settings);
 
-  // When the game began and where it has got to, by the server's clock.
-  double first_time_s() const { return first_time_s_; }
-  double time_s() const { return time_s_; }
-  // Plays on to `time_s`. False: the recording has ended.
+  // Plays on to `time_s` of the recording's clock. False: the recording has ended.
   base::Result<bool> advance_to(double time_s);
   // Plays on by one packet, to its time.
   base::Result<bool> advance_by_packet();
@@ -33,7 +30,6 @@ class DemoRun {
   const render::FrameBuffer& frame() const { return frame_; }
   render::FrameBuffer& frame() { return frame_; }
   bool cut_short() const { return player_.cut_short(); }
-  const std::string& map_name() const { return presentation_->level().name; }
   std::vector<std::string> take_notes() { return presentation_->take_notes(); }
 
  private:
@@ -47,7 +43,6 @@ class DemoRun {
   render::Settings render_settings_;
   render::Renderer renderer_;
   render::FrameBuffer frame_;
-  double first_time_s_ = 0, time_s_ = 0;
 };
 
 }  // namespace temblor::app

@@ -32,12 +32,12 @@ double present_floors(const Measurement& measurement) {
 std::string describe_measurement(const std::string& name, const Measurement& m) {
   std::string text;
   auto out = std::back_inserter(text);
-  auto times = [&](const char* name, const Distribution& ms) {
-    fmt::format_to(out, "  {:<11}{:>9.3f} ms median {:>9.3f} p99 {:>9.3f} max\n", name, ms.p50, ms.p99,
+  auto times = [&](const char* label, const Distribution& ms) {
+    fmt::format_to(out, "  {:<11}{:>9.3f} ms median {:>9.3f} p99 {:>9.3f} max\n", label, ms.p50, ms.p99,
                    ms.max);
   };
-  auto counts = [&](const char* name, const Distribution& count) {
-    fmt::format_to(out, "  {:<11}{:>9.0f}    median {:>9.0f} p99 {:>9.0f} max\n", name, count.p50, count.p99,
+  auto counts = [&](const char* label, const Distribution& count) {
+    fmt::format_to(out, "  {:<11}{:>9.0f}    median {:>9.0f} p99 {:>9.0f} max\n", label, count.p50, count.p99,
                    count.max);
   };
   const bool is_demo = m.places == 0;

@@ -95,6 +95,8 @@ struct ClientState::Apply {
   }
 
   base::Status operator()(const net::Time& time) {
+    if (!(time.time_s >= 0 && time.time_s <= kMaxServerTime_s))
+      return base::malformed("{} s, expected 0 to {}", time.time_s, kMaxServerTime_s);
     const double time_s = static_cast<double>(time.time_s);
     state.previous_time_s_ = state.has_time_ ? now_s() : time_s;
     state.window_ = packet_window(state.previous_time_s_, time_s);
@@ -263,10 +265,7 @@ struct ClientState::Apply {
     game.skybox = skybox.name;
     return base::Ok{};
   }
-  // A fade that is cut short goes on from where it is; from the level's own fog, which is not known here, it
-  // counts as having been over.
   base::Status operator()(const net::Fog& fog) {
-    if (game.fog) game.fog_before = fog_at(game, game.fog_before.value_or(*game.fog), now_s());
     game.fog = fog;
     game.fog_since_s = now_s();
     return base::Ok{};

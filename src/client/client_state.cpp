@@ -1,21 +1,6 @@
 #include "client/client_state.h"
 
-#include <utility>
-
 namespace temblor::client {
-
-net::Fog fog_at(const Game& game, const net::Fog& of_level, double time_s) {
-  net::Fog fog = of_level;
-  if (game.fog) {
-    const net::Fog& from = game.fog_before ? *game.fog_before : of_level;
-    const double end_s = game.fog_since_s + static_cast<double>(game.fog->fade_s);
-    const auto fraction = static_cast<float>(fraction_passed(game.fog_since_s, end_s, time_s));
-    fog.density = from.density + (game.fog->density - from.density) * fraction;
-    fog.colour = from.colour + (game.fog->colour - from.colour) * fraction;
-  }
-  fog.fade_s = 0;
-  return fog;
-}
 
 void Events::clear() {
   temp_entities.clear();

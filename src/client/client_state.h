@@ -44,6 +44,8 @@ struct Player {
 enum class Ending { kNone, kIntermission, kFinale, kCutScene };
 
 constexpr int kPlaying = 4;
+// Half a year. Times are told as 32-bit floats: long before, they come in whole seconds.
+constexpr float kMaxServerTime_s = 1 << 24;
 
 // What holds from serverinfo on, until the next one.
 struct Game {
@@ -67,16 +69,11 @@ struct Game {
   double center_text_since_s = 0;
   std::uint8_t music_track = 0;
   std::optional<std::string> skybox;  // as the server said; else as the level says
-  // Alike. Since fog_since_s it has been turning from fog_before (as it was then; none: the level's own) into
-  // fog, which takes fog->fade_s: see fog_at().
-  std::optional<net::Fog> fog, fog_before;
+  std::optional<net::Fog> fog;        // alike
   double fog_since_s = 0;
 
   std::int32_t stat(Stat stat) const { return stats[static_cast<std::size_t>(stat)]; }
 };
-
-// The fog at that time, where the level's own (its `fog` key, or none at all) is `of_level`; fade_s is 0.
-net::Fog fog_at(const Game& game, const net::Fog& of_level, double time_s);
 
 // What happened once. The client acts on it (effects, sounds, flashes) and clears it.
 struct Events {

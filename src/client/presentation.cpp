@@ -24,7 +24,7 @@ base::Status Presentation::begin_level(const Game& game) {
   TRY(ModelTable models, ModelTable::load(library_, game.models, notes_));
   models_.emplace(std::move(models));
   environment_ = environment_of(*models_->level());
-  fog_.begin_level(environment_.fog);
+  hud_.begin_level();
   effects_.begin_level();
   view_.begin_level();
   scene_builder_.begin_level();
@@ -33,8 +33,10 @@ base::Status Presentation::begin_level(const Game& game) {
 
 void Presentation::apply_environment(const Game& game, double time_s, const PresentationSettings& settings) {
   scene_.liquid_alpha = environment_.liquid_alpha(settings.liquid_alpha);
-  if (game.fog) fog_.follow(*game.fog, game.fog_since_s);
-  if (settings.fog) scene_.fog = fog_.at(time_s);
+  if (settings.fog) {
+    const net::Fog fog = fog_at(game, {environment_.fog.density, environment_.fog.colour, 0}, time_s);
+    scene_.fog = {fog.density, fog.colour};
+  }
   const std::string& skybox = game.skybox ? *game.skybox : environment_.skybox;
   if (skybox != skybox_name_) {
     skybox_name_ = skybox;
@@ -56,7 +58,7 @@ base::Status Presentation::advance(ClientState& io_state, double time_s, const m
                    settings.effects);
   const ViewMoment moment{time_s, view_angles_deg, find_entity(entities, game.view_entity), level};
   const PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
-  hud_.advance(io_state.events(), time_s);
+  hud_.advance(game, io_state.events(), time_s);
   scene_ = scene_builder_.build(
       {*models_, game, entities, effects_, view, io_state.weapon_frame_at(time_s, settings.client), time_s,
        settings.show_weapon && game.ending == Ending::kNone},

@@ -10,7 +10,6 @@
 #include "base/result.h"
 #include "client/client_state.h"
 #include "client/effects.h"
-#include "client/fog_fade.h"
 #include "client/hud.h"
 #include "client/level_environment.h"
 #include "client/model_table.h"
@@ -64,7 +63,6 @@ class Presentation {
   Hud hud_;
   SceneBuilder scene_builder_;
   LevelEnvironment environment_;
-  FogFade fog_;
   std::string skybox_name_;
   render::Skybox skybox_;
   render::Scene scene_;

@@ -24,6 +24,7 @@ ServerMessage refuse_id(MessageId id, FieldReader& io_fields) {
   return Nop{};
 }
 
+// These two not as temporaries in one line: g++ 12 takes the padding of those for uninitialized values.
 LightStyle read_light_style(FieldReader& io_fields) {
   LightStyle style;
   style.style = io_fields.u8();

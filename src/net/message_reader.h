@@ -32,6 +32,8 @@ class MessageReader {
   base::Result<std::optional<ServerMessage>> next();
 
   const Dialect& dialect() const { return dialect_; }
+  // Of the next message's first byte, or of the end.
+  std::size_t offset_in_file() const { return offset_in_file_ + reader_.offset(); }
 
  private:
   base::ByteReader reader_{base::Bytes{}};

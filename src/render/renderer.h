@@ -16,6 +16,8 @@ namespace temblor::render {
 
 enum class MipRule { kStock, kFootprint };
 enum class Perspective { kExact, kEvery16 };
+// Triangles of alias models: kAuto takes for each model the faster one that shows no difference.
+enum class AliasRaster { kAuto, kAffine, kSubdivision };
 enum class Show { kPicture, kFaces, kEdges, kSpans, kSurfaces, kMips, kPvs, kOverdraw, kDepth };
 
 struct Settings {
@@ -29,9 +31,12 @@ struct Settings {
   bool surface_cache = true;   // false: everything is built anew for each frame
   std::size_t cache_bytes = std::size_t{256} << 20;
   bool use_pvs = true;
-  bool fill_depth = true;      // false: for measuring what filling 1/z costs
+  // False: for measuring what filling 1/z costs; nothing that needs it (models) is drawn then.
+  bool fill_depth = true;
   bool coloured_light = true;  // false: grey light also where the level has colours
-  int band_rows = 0;           // scan lines a band; 0: chosen from size and threads
+  AliasRaster alias_raster = AliasRaster::kAuto;
+  bool alias_snap = false;  // alias models' vertices at whole pixels and textures affine, as the original
+  int band_rows = 0;        // scan lines a band; 0: chosen from size and threads
   Show show = Show::kPicture;
   bool operator==(const Settings&) const = default;
 };

@@ -157,38 +157,25 @@ TEST(ClientState, EndingsSayWhenTheyBegan) {
 
 TEST(ClientState, TheRestIsKeptAsItCame) {
   ClientState state = state_in_level();
-  apply(state, {net::SetAngle{{-10, 90, 0}}, net::CdTrack{6, 6}, net::LightStyle{63, "a"}, net::Nop{},
-                net::Version{15}, net::Ignored{45}, net::Disconnect{}});
+  apply(state,
+        {net::SetAngle{{-10, 90, 0}}, net::CdTrack{6, 6}, net::LightStyle{63, "a"}, net::Nop{},
+         net::Version{15}, net::Ignored{45}, net::Skybox{"dusk"}, net::SetPause{true}, net::Disconnect{}});
   EXPECT_EQ(state.game().set_angles_deg, math::Vec3(-10, 90, 0));
   EXPECT_EQ(state.game().music_track, 6);
   EXPECT_EQ(state.game().light_styles[63], "a");
+  EXPECT_EQ(state.game().skybox, "dusk");
+  EXPECT_TRUE(state.game().paused);
 }
 
-net::Fog fog(float density, float fade_s) {
-  return {.density = density, .colour = {density, 0, 1 - density}, .fade_s = fade_s};
-}
-
-TEST(ClientFog, FadesFromTheLevelsOwn) {
+TEST(ClientState, FogIsKeptWithItsTime) {
   ClientState state = state_in_level();
-  const net::Fog of_level = fog(0.5f, 0);
-  EXPECT_EQ(client::fog_at(state.game(), of_level, 3).density, 0.5f);
-  packet(state, 10, {fog(0.25f, 2)});
-  EXPECT_EQ(client::fog_at(state.game(), of_level, 10).density, 0.5f);
-  const net::Fog half = client::fog_at(state.game(), of_level, 11);
-  EXPECT_EQ(half.density, 0.375f);
-  EXPECT_EQ(half.colour, math::Vec3(0.375f, 0, 0.625f));
-  EXPECT_EQ(half.fade_s, 0);
-  EXPECT_EQ(client::fog_at(state.game(), of_level, 13).density, 0.25f);
-}
-
-TEST(ClientFog, AFadeThatIsCutShortGoesOnFromWhereItIs) {
-  ClientState state = state_in_level();
-  packet(state, 10, {fog(0.5f, 0)});
-  packet(state, 20, {fog(1, 4)});
-  packet(state, 22, {fog(0, 3)});
-  EXPECT_EQ(client::fog_at(state.game(), {}, 22).density, 0.75f);
-  EXPECT_EQ(client::fog_at(state.game(), {}, 23).density, 0.5f);
-  EXPECT_EQ(client::fog_at(state.game(), {}, 30).density, 0);
+  EXPECT_FALSE(state.game().fog);
+  packet(state, 10, {net::Fog{.density = 0.25f, .colour = {0.5f, 0, 1}, .fade_s = 2}});
+  packet(state, 11, {});
+  ASSERT_TRUE(state.game().fog);
+  EXPECT_EQ(state.game().fog->density, 0.25f);
+  EXPECT_EQ(state.game().fog->fade_s, 2);
+  EXPECT_EQ(state.game().fog_since_s, 10);
 }
 
 TEST(ClientState, ThereIsNothingBeforeServerInfo) {
@@ -214,6 +201,9 @@ TEST(ClientState, NumbersOutOfRangeAreErrorsThatLeaveItAsItWas) {
   expect_error(state, net::UpdateStat{32, 1}, "stat 32, expected 0 to 31");
   expect_error(state, net::LightStyle{64, "a"}, "light style 64, expected 0 to 63");
   expect_error(state, net::SignonNumber{5}, "signon 5");
+  expect_error(state, net::Time{-1}, "-1 s, expected 0 to");
+  expect_error(state, net::Time{1e30f}, "1e+30 s");
+  expect_error(state, net::Time{std::numeric_limits<float>::quiet_NaN()}, "nan s");
   net::ServerInfo nowhere = server_info();
   nowhere.models = {};
   expect_error(state, nowhere, "no level");

@@ -4,7 +4,7 @@
 #include "net/message_reader.h"
 #include "net/message_writer.h"
 #include "net/random_message.h"
-#include "render/allocation_counter.h"
+#include "support/allocation_counter.h"
 
 namespace temblor::net {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "render/allocation_counter.h"
 #include "render/renderer.h"
+#include "support/allocation_counter.h"
 #include "support/drawable_level.h"
 #include "support/game_data.h"
 #include "support/viewpoints.h"

@@ -73,7 +73,7 @@ std::span<const SkyRuns*> prepare_sky_runs(const Scene& scene, const ViewFrame& 
   for (std::size_t i = 0; i < items.items.size(); ++i) {
     const DrawItem& item = items.items[i];
     if (item.kind != ItemKind::kSky) continue;
-    const SkyRuns*& made = by_texture[static_cast<std::size_t>(item.texture - scene.level->textures.data())];
+    const SkyRuns*& made = by_texture[base::to_size(item.texture_index)];
     if (made == nullptr) {
       const std::span<SkyRuns> room = arena.allocate<SkyRuns>(1);
       room[0] = make_layers(*item.texture, view, scene.time_s, tables, format, arena);
