@@ -181,7 +181,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
     draw_alias_models(scene, settings, view, band_rows, s.colour_tables, *s.jobs, s.arena, s.model_arenas,
                       io_frame);
     clock.end(Stage::kModels);
-    draw_sprites(scene, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    draw_sprites(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
     clock.end(Stage::kSprites);
     draw_particles(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
     clock.end(Stage::kParticles);
