@@ -64,7 +64,7 @@ void Beams::advance(double time_s, const std::optional<Held>& held) {
 void Beams::lay_out(const Beam& beam, double time_s) {
   const math::Vec3d start(beam.start_world), way = math::Vec3d(beam.end_world) - start;
   const double length = glm::length(way);
-  if (!(length > 0) || !std::isfinite(length)) return;
+  if (length == 0) return;
   const double level_length = std::hypot(way.x, way.y);
   const float pitch_deg = degrees(std::atan2(way.z, level_length));
   const float yaw_deg = level_length > 0 ? degrees(std::atan2(way.y, way.x)) : 0.0f;

@@ -63,10 +63,6 @@ std::uint8_t colour_at(const Law& law, std::uint8_t born_colour, float ramp, dou
   return law.ramp[std::min(step, law.ramp.size() - 1)];
 }
 
-bool finite(const math::Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 }  // namespace
 
 void ParticlePool::set_capacity(std::size_t capacity) {
@@ -89,7 +85,7 @@ void ParticlePool::clear() {
 }
 
 bool ParticlePool::add(const ParticleBirth& birth) {
-  if (room() == 0 || !finite(birth.origin_world) || !finite(birth.velocity)) {
+  if (room() == 0) {
     ++left_out_;
     return false;
   }

@@ -42,7 +42,7 @@ class ParticlePool {
   void set_capacity(std::size_t capacity);
   void clear();
 
-  // False, and counted, when there is no room for it, or it is nowhere (not finite).
+  // False, and counted, when there is no room for it.
   bool add(const ParticleBirth& birth);
   std::size_t room() const { return capacity_ > size() ? capacity_ - size() : 0; }
   // To be counted as left out without having been tried one by one.

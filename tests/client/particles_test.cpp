@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <vector>
 
 #include "support/random.h"
@@ -144,14 +142,6 @@ TEST(Particles, ThoseWithoutRoomAreLeftOutAndCounted) {
   EXPECT_EQ(pool.room(), 0u);
   pool.advance(2);
   EXPECT_EQ(pool.room(), 2u);
-}
-
-TEST(Particles, ThatAreNowhereAreLeftOut) {
-  ParticlePool pool = pool_of(5);
-  const float infinite = std::numeric_limits<float>::infinity();
-  EXPECT_FALSE(pool.add({.origin_world = {0, infinite, 0}}));
-  EXPECT_FALSE(pool.add({.velocity = {0, 0, std::numeric_limits<float>::quiet_NaN()}}));
-  EXPECT_EQ(pool.left_out(), 2u);
 }
 
 TEST(Particles, NewOnesJoinTheCloudWhenPlaced) {

@@ -36,7 +36,7 @@ struct Viewer {
   PlayerView at(double time_s) {
     const PlayerView seen = view.advance(
         game, events, {time_s, view_angles_deg, is_there ? &entity : nullptr, level()}, settings);
-    events.clear();
+    events = {};
     return seen;
   }
   View view;
