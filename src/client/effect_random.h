@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "base/mixed_bits.h"
+#include "base/hash.h"
 #include "math/vec.h"
 
 namespace temblor::client {

@@ -102,6 +102,7 @@ struct Renderer::State {
   explicit State(ColourTables tables) : colour_tables(std::move(tables)) {}
 
   ColourTables colour_tables;
+  std::optional<MarkLook> mark_look;  // made for the first marks
   std::optional<base::Jobs> jobs;
   base::JobBackend job_backend{};
   base::Arena arena;
@@ -152,6 +153,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   FrameStats stats;
   s.follow_settings(settings);
   s.follow_level(*scene.level);
+  if (has_marks(scene) && !s.mark_look) s.mark_look.emplace(s.colour_tables);
   s.arena.reset();
   const int width = io_frame.width(), height = io_frame.height();
   CHECK(width >= 1 && width <= 8192 && height >= 1 && height <= 8192, "{}x{}", width, height);
@@ -170,8 +172,9 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   settings.fill_depth |= needs_depth(scene, s.edges);
   s.spans = scan_edges(s.edges, scene, view, band_rows, *s.jobs, s.arena, s.band_arenas);
   clock.end(Stage::kScan);
-  s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.colour_tables, s.cutouts, format,
-                             *s.jobs, s.arena, s.job_arenas, s.cache, stats);
+  s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.colour_tables, s.cutouts,
+                             s.mark_look ? &*s.mark_look : nullptr, format, *s.jobs, s.arena, s.job_arenas,
+                             s.cache, stats);
   clock.end(Stage::kSurfaces);
   const SpanSources sources =
       prepare_span_sources(scene, settings, view, s.items, s.colour_tables, format, s.skybox, s.arena);

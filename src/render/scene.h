@@ -130,4 +130,8 @@ struct Scene {
   world::LightStyleValues light_styles = world::light_as_stored();
 };
 
+inline bool has_marks(const Scene& scene) {
+  return scene.marks != nullptr && scene.marks->size() > 0;
+}
+
 }  // namespace temblor::render
