@@ -27,7 +27,7 @@ void write_packed(std::uint16_t entity, std::uint8_t channel, FieldWriter& io_fi
   if (!packs(entity, channel))
     io_fields.refuse("a sound of entity {}, channel {}, is over entity {}, channel {}", entity, channel,
                      kMaxPackedEntity, kMaxPackedChannel);
-  io_fields.u16(static_cast<std::uint16_t>(entity << kChannelBits | (channel & kMaxPackedChannel)));
+  io_fields.u16(static_cast<std::uint16_t>(unsigned{entity} << kChannelBits | (channel & kMaxPackedChannel)));
 }
 
 std::uint8_t attenuation_byte(float attenuation) {
