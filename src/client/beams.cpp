@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/mixed_bits.h"
+#include "base/hash.h"
 
 namespace temblor::client {
 
@@ -21,7 +21,7 @@ float degrees(double radians) {
 float roll_deg(const Beam& beam, std::uint32_t piece, double time_s) {
   const auto step = static_cast<std::int64_t>(std::floor(time_s / kRollStep_s));
   const std::uint64_t hash =
-      base::mixed_in(base::mixed_in(beam.entity, piece), static_cast<std::uint64_t>(step));
+      base::hash_with(base::hash_with(beam.entity, piece), static_cast<std::uint64_t>(step));
   return static_cast<float>(hash % 360);
 }
 

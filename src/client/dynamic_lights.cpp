@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/mixed_bits.h"
+#include "base/hash.h"
 
 namespace temblor::client {
 
@@ -24,7 +24,7 @@ render::DynamicLight light_at(const LightBirth& birth, double time_s) {
 float light_flicker(std::uint32_t entity, double time_s) {
   // Whole steps as a signed number, whose bits are the same however it is told.
   const auto step = static_cast<std::int64_t>(std::floor(time_s * 10));
-  return static_cast<float>(base::mixed_in(entity, static_cast<std::uint64_t>(step)) & 31);
+  return static_cast<float>(base::hash_with(entity, static_cast<std::uint64_t>(step)) & 31);
 }
 
 void DynamicLights::add(const LightBirth& birth) {

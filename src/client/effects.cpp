@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/hash.h"
 #include "client/dynamic_lights.h"
 #include "client/effect_random.h"
 #include "client/hit_marks.h"

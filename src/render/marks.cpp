@@ -1,25 +1,19 @@
 #include "render/marks.h"
 
-#include <bit>
-
 #include "base/check.h"
-#include "base/mixed_bits.h"
+#include "base/hash.h"
 
 namespace temblor::render {
 
 namespace {
 
-// Adding zero makes -0 and 0, which are equal, one pattern of bits.
-std::uint64_t bits(float value) {
-  return std::bit_cast<std::uint32_t>(value + 0.0f);
-}
-
 std::uint64_t hash_of(std::span<const Mark> marks) {
   std::uint64_t hash = marks.size();
   for (const Mark& mark : marks) {
-    hash = base::mixed_in(hash, static_cast<std::uint64_t>(mark.kind) << 32 | mark.seed);
-    hash = base::mixed_in(hash, bits(mark.position_model.x) << 32 | bits(mark.position_model.y));
-    hash = base::mixed_in(hash, bits(mark.position_model.z) << 32 | bits(mark.radius));
+    hash = base::hash_with(hash, static_cast<std::uint64_t>(mark.kind) << 32 | mark.seed);
+    hash = base::hash_with(hash,
+                           base::bits_of(mark.position_model.x) << 32 | base::bits_of(mark.position_model.y));
+    hash = base::hash_with(hash, base::bits_of(mark.position_model.z) << 32 | base::bits_of(mark.radius));
   }
   return hash == 0 ? 1 : hash;
 }
