@@ -266,6 +266,7 @@ struct ClientState::Apply {
     return base::Ok{};
   }
   base::Status operator()(const net::Fog& fog) {
+    game.fog_before = fog_mixture_at(game, now_s());
     game.fog = fog;
     game.fog_since_s = now_s();
     return base::Ok{};

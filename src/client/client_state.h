@@ -47,6 +47,13 @@ constexpr int kPlaying = 4;
 // Half a year. Times are told as 32-bit floats: long before, they come in whole seconds.
 constexpr float kMaxServerTime_s = 1 << 24;
 
+// Fog as a mixture of the level's own, which the server's messages do not say, and what they have said.
+struct FogMixture {
+  float share_of_level = 1;
+  float density = 0;  // to be added
+  math::Vec3 colour{0.0f};
+};
+
 // What holds from serverinfo on, until the next one.
 struct Game {
   net::Dialect dialect;
@@ -69,11 +76,16 @@ struct Game {
   double center_text_since_s = 0;
   std::uint8_t music_track = 0;
   std::optional<std::string> skybox;  // as the server said; else as the level says
-  std::optional<net::Fog> fog;        // alike
-  double fog_since_s = 0;
+  std::optional<net::Fog> fog;        // alike; see fog_at()
+  double fog_since_s = 0;             // when it began to come in, which takes fog->fade_s
+  FogMixture fog_before;              // what it comes in over
 
   std::int32_t stat(Stat stat) const { return stats[static_cast<std::size_t>(stat)]; }
 };
+
+FogMixture fog_mixture_at(const Game& game, double time_s);
+// The fog at that time, where the level's own is `of_level`. Its fade_s is 0: it is as it is.
+net::Fog fog_at(const Game& game, const net::Fog& of_level, double time_s);
 
 // What happened once. The client acts on it (effects, sounds, flashes) and clears it.
 struct Events {

@@ -102,6 +102,7 @@ struct Renderer::State {
   explicit State(ColourTables tables) : colour_tables(std::move(tables)) {}
 
   ColourTables colour_tables;
+  std::optional<MarkLook> mark_look;  // made for the first marks
   std::optional<base::Jobs> jobs;
   base::JobBackend job_backend{};
   base::Arena arena;
@@ -113,6 +114,7 @@ struct Renderer::State {
   FaceOutlines face_outlines;
   CutoutTextures cutouts;
   SurfaceCache cache;
+  PreparedSkybox skybox;
   FogTables fog_tables;
   Warp warp;
 
@@ -151,6 +153,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   FrameStats stats;
   s.follow_settings(settings);
   s.follow_level(*scene.level);
+  if (has_marks(scene) && !s.mark_look) s.mark_look.emplace(s.colour_tables);
   s.arena.reset();
   const int width = io_frame.width(), height = io_frame.height();
   CHECK(width >= 1 && width <= 8192 && height >= 1 && height <= 8192, "{}x{}", width, height);
@@ -169,18 +172,19 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   settings.fill_depth |= needs_depth(scene, s.edges);
   s.spans = scan_edges(s.edges, scene, view, band_rows, *s.jobs, s.arena, s.band_arenas);
   clock.end(Stage::kScan);
-  s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.colour_tables, s.cutouts, format,
-                             *s.jobs, s.arena, s.job_arenas, s.cache, stats);
+  s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.colour_tables, s.cutouts,
+                             s.mark_look ? &*s.mark_look : nullptr, format, *s.jobs, s.arena, s.job_arenas,
+                             s.cache, stats);
   clock.end(Stage::kSurfaces);
   const SpanSources sources =
-      prepare_span_sources(scene, settings, view, s.items, s.colour_tables, format, s.arena);
+      prepare_span_sources(scene, settings, view, s.items, s.colour_tables, format, s.skybox, s.arena);
   draw_spans(settings, view, s.spans, sources, s.colour_tables, *s.jobs, io_frame);
   clock.end(Stage::kSpans);
   if (settings.fill_depth) {  // what follows is tested against it
     draw_alias_models(scene, settings, view, band_rows, s.colour_tables, *s.jobs, s.arena, s.model_arenas,
                       io_frame);
     clock.end(Stage::kModels);
-    draw_sprites(scene, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    draw_sprites(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
     clock.end(Stage::kSprites);
     draw_particles(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
     clock.end(Stage::kParticles);

@@ -167,15 +167,35 @@ TEST(ClientState, TheRestIsKeptAsItCame) {
   EXPECT_TRUE(state.game().paused);
 }
 
-TEST(ClientState, FogIsKeptWithItsTime) {
+net::Fog fog(float density, float fade_s) {
+  return {.density = density, .colour = {density, 0, 1 - density}, .fade_s = fade_s};
+}
+
+TEST(ClientFog, ComesInOverTheLevelsOwn) {
   ClientState state = state_in_level();
-  EXPECT_FALSE(state.game().fog);
-  packet(state, 10, {net::Fog{.density = 0.25f, .colour = {0.5f, 0, 1}, .fade_s = 2}});
-  packet(state, 11, {});
-  ASSERT_TRUE(state.game().fog);
-  EXPECT_EQ(state.game().fog->density, 0.25f);
-  EXPECT_EQ(state.game().fog->fade_s, 2);
-  EXPECT_EQ(state.game().fog_since_s, 10);
+  const net::Fog of_level = fog(0.5f, 0);
+  EXPECT_EQ(client::fog_at(state.game(), of_level, 3).density, 0.5f);
+  packet(state, 10, {fog(0.25f, 2)});
+  packet(state, 10.5f, {});
+  EXPECT_EQ(client::fog_at(state.game(), of_level, 10).density, 0.5f);
+  const net::Fog half = client::fog_at(state.game(), of_level, 11);
+  EXPECT_EQ(half.density, 0.375f);
+  EXPECT_EQ(half.colour, math::Vec3(0.375f, 0, 0.625f));
+  EXPECT_EQ(half.fade_s, 0);
+  EXPECT_EQ(client::fog_at(state.game(), of_level, 13).density, 0.25f);
+}
+
+TEST(ClientFog, AFadeThatIsCutShortGoesOnFromWhereItIs) {
+  ClientState state = state_in_level();
+  const net::Fog of_level = fog(0.5f, 0);
+  packet(state, 20, {fog(1, 4)});
+  packet(state, 22, {fog(0, 3)});
+  EXPECT_EQ(client::fog_at(state.game(), of_level, 22).density, 0.75f);
+  EXPECT_FLOAT_EQ(client::fog_at(state.game(), of_level, 23).density, 0.5f);
+  packet(state, 23.5f, {fog(0.875f, 1)});
+  EXPECT_FLOAT_EQ(client::fog_at(state.game(), of_level, 23.5f).density, 0.375f);
+  EXPECT_FLOAT_EQ(client::fog_at(state.game(), of_level, 24).density, 0.625f);
+  EXPECT_EQ(client::fog_at(state.game(), of_level, 30).density, 0.875f);
 }
 
 TEST(ClientState, ThereIsNothingBeforeServerInfo) {

@@ -15,6 +15,7 @@
 #include "support/effort.h"
 #include "support/frames.h"
 #include "support/game_data.h"
+#include "support/picture_file.h"
 #include "support/viewpoints.h"
 
 namespace temblor::test {
@@ -377,6 +378,42 @@ TEST(DynamicLights, TellInstancesOfAModelApart) {
     }
   }
 }
+
+// The start of a level, with and without lights in it; to be looked at with TEMBLOR_PICTURES.
+class LightsOnStockLevel : public testing::TestWithParam<const char*> {};
+TEST_P(LightsOnStockLevel, AreSeen) {
+  DATA_FOLDER_OR_SKIP(data);
+  const DrawableLevel drawable = stock_level(data, GetParam());
+  render::Renderer renderer(drawable.palette, drawable.colormap);
+  const std::vector<render::Camera> cameras = player_cameras(*drawable.level);
+  std::size_t changed = 0;
+  for (std::size_t number = 0; number < std::min<std::size_t>(cameras.size(), 3); ++number) {
+    Viewpoint viewpoint{.camera = cameras[number], .brush_models = shown_brush_models(*drawable.level)};
+    const render::Scene without = viewpoint.scene(*drawable.level);
+    const math::Basis basis = math::basis_from_angles(viewpoint.camera.angles_deg);
+    const auto ahead = [&](double forward, double right, double up) {
+      return viewpoint.camera.origin_world +
+             math::Vec3(basis.forward * forward + basis.right * right + basis.up * up);
+    };
+    viewpoint.lights = {{.origin_world = ahead(150, 100, 0), .radius = 200, .colour = {1, 0.6f, 0.3f}},
+                        {.origin_world = ahead(120, -100, 20), .radius = 250, .colour = {0.3f, 0.4f, 1}},
+                        {.origin_world = ahead(18, 0, -6), .radius = 220, .least = 32}};
+    const render::Scene with = viewpoint.scene(*drawable.level);
+    for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb}) {
+      render::FrameBuffer before(800, 600, format), lit(800, 600, format);
+      renderer.render(without, {}, before);
+      renderer.render(with, {}, lit);
+      changed += differing_pixels(copy_of(before), copy_of(lit));
+      const std::string name = fmt::format("lights-{}-{}-{}", GetParam(), number,
+                                           format == PixelFormat::kIndexed ? "indexed" : "rgb");
+      show_picture(name + "-before", before, drawable.palette);
+      show_picture(name, lit, drawable.palette);
+    }
+  }
+  EXPECT_GT(changed, 100000u);
+}
+INSTANTIATE_TEST_SUITE_P(Levels, LightsOnStockLevel, testing::Values("start", "lq_e0m1", "lq_e1m2"),
+                         [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
 }  // namespace temblor::test

@@ -161,12 +161,12 @@ std::uint32_t pixel_at(const render::FrameBuffer& frame, std::size_t i) {
 }
 
 void draw(const std::vector<render::SpriteInstance>& sprites, const render::ViewFrame& view, int threads,
-          render::FrameBuffer& io_frame) {
+          bool vector_kernels, render::FrameBuffer& io_frame) {
   render::Scene scene;
   scene.sprites = sprites;
   base::Jobs jobs(threads, base::JobBackend::kStdThread);
   base::Arena arena;
-  render::draw_sprites(scene, view, some_tables(), jobs, arena, io_frame);
+  render::draw_sprites(scene, {.vector_kernels = vector_kernels}, view, some_tables(), jobs, arena, io_frame);
 }
 
 struct Tally {
@@ -230,7 +230,7 @@ TEST(Sprites, AreWhereRaysMeetThem) {
     const double middle = view.depth(std::max(
         view.near_z, glm::dot(math::Vec3d(instance.origin_world) - view.eye_world, view.axes.forward)));
     const Before before = fill(frame, middle, random);
-    draw({instance}, view, 1 + static_cast<int>(seed % 3), frame);
+    draw({instance}, view, 1 + static_cast<int>(seed % 3), seed % 4 != 0, frame);
     const Tally tally = compare(frame, before, view, instance);
     EXPECT_EQ(tally.wrong, 0u) << "of " << tally.shown;
     shown_in_all += tally.shown;
@@ -284,7 +284,7 @@ TEST(Sprites, OpaqueOnesOfOneDepthHideWhatCameBefore) {
   a.origin_world = b.origin_world = {30, 0, 0};
   render::FrameBuffer frame(64, 64, render::PixelFormat::kIndexed);
   fill_frame(frame, 0);
-  draw({a, b}, view, 1, frame);
+  draw({a, b}, view, 1, true, frame);
   EXPECT_EQ(std::count(frame.indexed().begin(), frame.indexed().end(), 1), 0);
   EXPECT_GT(std::count(frame.indexed().begin(), frame.indexed().end(), 2), 500);
 }
@@ -305,7 +305,8 @@ TEST(Sprites, BlendThroughTheTableOrByOpacity) {
     const Before before = fill(frame, 1.0 / 30, random);
     const render::SpriteBlend blend{table.data(), 64};
     for (int row = 0; row < 60; row += 7)
-      render::draw_sprite_instance(*quad, blend, some_tables(), {row, std::min(row + 7, 60)}, frame);
+      render::draw_sprite_instance(*quad, blend, some_tables(), row % 2 == 0, {row, std::min(row + 7, 60)},
+                                   frame);
     std::size_t blended = 0;
     for (int y = 0; y < 60; ++y)
       for (int x = 0; x < 80; ++x) {

@@ -1,15 +1,17 @@
 #include "render/models/draw_sprites.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "render/colour/blend_tables.h"
+#include "render/models/sprite_kernels.h"
 
 namespace temblor::render {
 
 namespace {
 
-constexpr std::uint8_t kClear = 255;
 constexpr int kBandRows = 64;
 
 struct PixelRange {
@@ -30,95 +32,93 @@ PixelRange pixels_of_row(const SpriteOutline& outline, int row, int width) {
           static_cast<int>(std::ceil(std::min<double>(right, width)))};
 }
 
-std::uint8_t* pixels_of(FrameBuffer& frame, std::uint8_t) {
-  return frame.indexed().data();
-}
-std::uint32_t* pixels_of(FrameBuffer& frame, std::uint32_t) {
-  return frame.rgb().data();
+SpriteLine line_along(const ScreenPlane& plane, int x, int y) {
+  return {static_cast<float>(plane.at(x, y)), static_cast<float>(plane.dx)};
 }
 
-// What a texel makes of a pixel.
-struct Inks {
-  const SpriteBlend& blend;
-  const ColourTables& tables;
-
-  template <bool kOpaque>
-  std::uint8_t over(std::uint8_t texel, std::uint8_t under) const {
-    return kOpaque ? texel : blend.table[texel * 256 + under];
-  }
-  template <bool kOpaque>
-  std::uint32_t over(std::uint8_t texel, std::uint32_t under) const {
-    const std::uint32_t colour = tables.rgb[texel];
-    return kOpaque ? colour : blend_rgb(colour, under, blend.opacity_256);
-  }
-};
-
-// A linear function along a row. Pixel i is base + i * step, whichever band draws it.
-struct RowLine {
-  float base, step;
-  RowLine(const ScreenPlane& plane, int x, int y)
-      : base(static_cast<float>(plane.at(x, y))), step(static_cast<float>(plane.dx)) {}
-  float at(int i) const { return base + static_cast<float>(i) * step; }
-};
-
-std::size_t texel_number(float coordinate, float last) {
-  return static_cast<std::size_t>(std::min(std::max(coordinate, 0.0f), last));
-}
-
-template <typename Pixel, bool kAffine, bool kOpaque>
-void draw_row(const SpriteQuad& quad, int row, PixelRange range, const Inks& inks, FrameBuffer& io_frame) {
+// Lacks where to draw to.
+SpriteRow make_row(const SpriteQuad& quad, const ColourTables& tables, int y, PixelRange range) {
   const formats::SprPicture& picture = *quad.picture;
-  const RowLine own_depth(quad.depth, range.first, row);
-  const RowLine s(quad.s, range.first, row), t(quad.t, range.first, row);
-  const float last_s = static_cast<float>(picture.width - 1), last_t = static_cast<float>(picture.height - 1);
-  const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(io_frame.width()) +
-                            static_cast<std::size_t>(range.first);
-  Pixel* const pixels = pixels_of(io_frame, Pixel{}) + first;
-  float* const depth = io_frame.depth().data() + first;
-  for (int i = 0; i < range.end - range.first; ++i) {
-    const float nearness = own_depth.at(i);
-    if (!(nearness >= depth[i])) continue;
-    const float distance = kAffine ? 1.0f : 1.0f / nearness;
-    const std::uint8_t texel = picture.texels[texel_number(t.at(i) * distance, last_t) * picture.width +
-                                              texel_number(s.at(i) * distance, last_s)];
-    if (texel == kClear) continue;
-    pixels[i] = inks.over<kOpaque>(texel, pixels[i]);
-    if (kOpaque) depth[i] = nearness;
+  SpriteRow row{};
+  row.depth = line_along(quad.depth, range.first, y);
+  row.s = line_along(quad.s, range.first, y);
+  row.t = line_along(quad.t, range.first, y);
+  row.affine = quad.affine;
+  row.texels = picture.texels.data();
+  row.width = static_cast<std::int32_t>(picture.width);
+  row.height = static_cast<std::int32_t>(picture.height);
+  row.colours = tables.rgb.data();
+  row.count = range.end - range.first;
+  return row;
+}
+
+void draw_opaque(SpriteRow row, std::size_t first_pixel, bool vector_kernels, FrameBuffer& io_frame) {
+  row.frame_depth = io_frame.depth().data() + first_pixel;
+  if (io_frame.format() == PixelFormat::kIndexed) {
+    row.pixels = io_frame.indexed().data() + first_pixel;
+    vector_kernels ? draw_sprite_row_u8_vector(row) : draw_sprite_row_u8_plain(row);
+  } else {
+    row.pixels = io_frame.rgb().data() + first_pixel;
+    vector_kernels ? draw_sprite_row_u32_vector(row) : draw_sprite_row_u32_plain(row);
   }
 }
 
-template <typename Pixel, bool kAffine, bool kOpaque>
-void draw_rows(const SpriteQuad& quad, const Inks& inks, RowRange rows, FrameBuffer& io_frame) {
-  const int end = std::min(quad.end_row, rows.end);
-  for (int row = std::max(quad.first_row, rows.first); row < end; ++row)
-    draw_row<Pixel, kAffine, kOpaque>(quad, row, pixels_of_row(quad.outline, row, io_frame.width()), inks,
-                                      io_frame);
+void blend_texels(std::span<const std::uint8_t> texels, const SpriteBlend& blend, const ColourTables& tables,
+                  std::size_t first_pixel, FrameBuffer& io_frame) {
+  const bool indexed = io_frame.format() == PixelFormat::kIndexed;
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    if (texels[i] == kClearTexel) continue;
+    if (indexed) {
+      std::uint8_t& pixel = io_frame.indexed()[first_pixel + i];
+      pixel = blend.table[texels[i] * 256 + pixel];
+    } else {
+      std::uint32_t& pixel = io_frame.rgb()[first_pixel + i];
+      pixel = blend_rgb(tables.rgb[texels[i]], pixel, blend.opacity_256);
+    }
+  }
 }
 
-template <typename Pixel>
-void draw_quad(const SpriteQuad& quad, const Inks& inks, RowRange rows, FrameBuffer& io_frame) {
-  const bool opaque = inks.blend.is_opaque(io_frame.format());
-  if (quad.affine)
-    opaque ? draw_rows<Pixel, true, true>(quad, inks, rows, io_frame)
-           : draw_rows<Pixel, true, false>(quad, inks, rows, io_frame);
-  else
-    opaque ? draw_rows<Pixel, false, true>(quad, inks, rows, io_frame)
-           : draw_rows<Pixel, false, false>(quad, inks, rows, io_frame);
+// Which texels show is found out beside the picture, piece by piece.
+void draw_blended(SpriteRow row, const SpriteBlend& blend, const ColourTables& tables,
+                  std::size_t first_pixel, bool vector_kernels, FrameBuffer& io_frame) {
+  constexpr int kPiece = 256;
+  std::array<std::uint8_t, kPiece> texels;
+  std::array<float, kPiece> depth;
+  row.pixels = texels.data();
+  row.frame_depth = depth.data();
+  const int count = row.count;
+  for (row.first = 0; row.first < count; row.first += kPiece) {
+    row.count = std::min(kPiece, count - row.first);
+    const std::size_t piece = first_pixel + static_cast<std::size_t>(row.first);
+    std::copy_n(io_frame.depth().data() + piece, row.count, depth.data());
+    std::fill_n(texels.data(), row.count, kClearTexel);
+    vector_kernels ? draw_sprite_row_u8_vector(row) : draw_sprite_row_u8_plain(row);
+    blend_texels(std::span(texels).first(static_cast<std::size_t>(row.count)), blend, tables, piece,
+                 io_frame);
+  }
 }
 
 }  // namespace
 
 void draw_sprite_instance(const SpriteQuad& quad, const SpriteBlend& blend, const ColourTables& tables,
-                          RowRange rows, FrameBuffer& io_frame) {
-  const Inks inks{blend, tables};
-  if (io_frame.format() == PixelFormat::kIndexed)
-    draw_quad<std::uint8_t>(quad, inks, rows, io_frame);
-  else
-    draw_quad<std::uint32_t>(quad, inks, rows, io_frame);
+                          bool vector_kernels, RowRange rows, FrameBuffer& io_frame) {
+  const bool opaque = blend.is_opaque(io_frame.format());
+  const int end = std::min(quad.end_row, rows.end);
+  for (int y = std::max(quad.first_row, rows.first); y < end; ++y) {
+    const PixelRange range = pixels_of_row(quad.outline, y, io_frame.width());
+    if (range.first >= range.end) continue;
+    const SpriteRow row = make_row(quad, tables, y, range);
+    const std::size_t first_pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(io_frame.width()) +
+                                    static_cast<std::size_t>(range.first);
+    if (opaque)
+      draw_opaque(row, first_pixel, vector_kernels, io_frame);
+    else
+      draw_blended(row, blend, tables, first_pixel, vector_kernels, io_frame);
+  }
 }
 
-void draw_sprites(const Scene& scene, const ViewFrame& view, const ColourTables& tables, base::Jobs& jobs,
-                  base::Arena& arena, FrameBuffer& io_frame) {
+void draw_sprites(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                  const ColourTables& tables, base::Jobs& jobs, base::Arena& arena, FrameBuffer& io_frame) {
   base::ArenaVector<SpriteQuad> quads(arena, scene.sprites.size());
   for (const SpriteInstance& sprite : scene.sprites) {
     if (sprite.alpha < 1) continue;
@@ -129,7 +129,8 @@ void draw_sprites(const Scene& scene, const ViewFrame& view, const ColourTables&
   jobs.parallel_for(static_cast<std::size_t>(bands), [&](std::size_t number) {
     const int first_row = static_cast<int>(number) * kBandRows;
     const RowRange rows{first_row, std::min(first_row + kBandRows, view.height)};
-    for (const SpriteQuad& quad : quads) draw_sprite_instance(quad, {}, tables, rows, io_frame);
+    for (const SpriteQuad& quad : quads)
+      draw_sprite_instance(quad, {}, tables, settings.vector_kernels, rows, io_frame);
   });
 }
 

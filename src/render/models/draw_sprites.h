@@ -30,10 +30,10 @@ struct RowRange {
 // change where it is as near as what is there or nearer, and the texel is not 255. Opaque ones leave their
 // depth.
 void draw_sprite_instance(const SpriteQuad& quad, const SpriteBlend& blend, const ColourTables& tables,
-                          RowRange rows, FrameBuffer& io_frame);
+                          bool vector_kernels, RowRange rows, FrameBuffer& io_frame);
 
 // All sprites whose alpha is 1, in order. Needs the depth of everything opaque.
-void draw_sprites(const Scene& scene, const ViewFrame& view, const ColourTables& tables, base::Jobs& jobs,
-                  base::Arena& arena, FrameBuffer& io_frame);
+void draw_sprites(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                  const ColourTables& tables, base::Jobs& jobs, base::Arena& arena, FrameBuffer& io_frame);
 
 }  // namespace temblor::render

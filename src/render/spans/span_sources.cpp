@@ -44,6 +44,18 @@ void draw_sky(const SpanSources& sources, SkyRuns job, const DrawItem& item, std
     sources.vector_kernels ? draw_sky_runs_u32_vector(job, target) : draw_sky_runs_u32_plain(job, target);
 }
 
+void draw_skybox(const SpanSources& sources, SkyboxRuns job, const DrawItem& item,
+                 std::span<const SpanRun> runs, const KernelTarget& target) {
+  job.depth = kernel_plane(item.depth);
+  job.runs = runs.data();
+  job.run_count = runs.size();
+  if (sources.format == PixelFormat::kIndexed)
+    sources.vector_kernels ? draw_skybox_runs_u8_vector(job, target) : draw_skybox_runs_u8_plain(job, target);
+  else
+    sources.vector_kernels ? draw_skybox_runs_u32_vector(job, target)
+                           : draw_skybox_runs_u32_plain(job, target);
+}
+
 void draw_repeating(const SpanSources& sources, RepeatRuns job, std::span<const SpanRun> runs,
                     const KernelTarget& target) {
   job.runs = runs.data();
@@ -59,10 +71,19 @@ void draw_repeating(const SpanSources& sources, RepeatRuns job, std::span<const 
 
 SpanSources prepare_span_sources(const Scene& scene, const Settings& settings, const ViewFrame& view,
                                  const DrawItems& items, const ColourTables& tables, PixelFormat format,
-                                 base::Arena& arena) {
+                                 PreparedSkybox& io_skybox, base::Arena& arena) {
+  std::optional<SkyboxRuns> skybox;
+  std::span<const SkyRuns*> skies;
+  if (scene.skybox != nullptr) {
+    io_skybox.follow(*scene.skybox, scene.fog, tables, format);
+    skybox = io_skybox.runs(view);
+  } else {
+    skies = prepare_sky_runs(scene, view, items, tables, format, arena);
+  }
   return {items,
-          prepare_sky_runs(scene, view, items, tables, format, arena),
+          skies,
           prepare_repeat_runs(scene, view, items, tables, format, arena),
+          skybox,
           format,
           divide_of(settings, view),
           settings.vector_kernels};
@@ -79,7 +100,10 @@ void draw_runs(const SpanSources& sources, std::uint32_t number, std::span<const
       draw_surface(sources, item, runs, target);
       break;
     case ItemKind::kSky:
-      draw_sky(sources, *sources.skies[number], item, runs, target);
+      if (sources.skybox)
+        draw_skybox(sources, *sources.skybox, item, runs, target);
+      else
+        draw_sky(sources, *sources.skies[number], item, runs, target);
       break;
     case ItemKind::kTexture:
     case ItemKind::kLiquid:

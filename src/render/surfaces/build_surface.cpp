@@ -51,10 +51,11 @@ std::int32_t interpolate(std::int32_t from, std::int32_t to, std::int32_t fracti
 
 class Builder {
  public:
-  Builder(const world::Level& level, const ColourTables& tables, const BlockRequest& request,
-          bool vector_kernels, base::Arena& scratch)
+  Builder(const world::Level& level, const ColourTables& tables, const MarkLook* mark_look,
+          const BlockRequest& request, bool vector_kernels, base::Arena& scratch)
       : level_(level),
         tables_(tables),
+        mark_look_(mark_look),
         request_(request),
         vector_(vector_kernels),
         scratch_(scratch),
@@ -64,7 +65,9 @@ class Builder {
         // Faces start at multiples of 16 texels, so every mip level starts at a whole one.
         texture_(drawn_, request.mip,
                  (std::int64_t{face_.texture_mins[0]} + request.tile_s * kTileTexels) >> request.mip,
-                 (std::int64_t{face_.texture_mins[1]} + request.tile_t * kTileTexels) >> request.mip) {}
+                 (std::int64_t{face_.texture_mins[1]} + request.tile_t * kTileTexels) >> request.mip),
+        marks_(place_marks(level, face_, request.marks, request.tile_s, request.tile_t, request.mip,
+                           request.block.shape, scratch)) {}
 
   void build_indexed() {
     const std::span<const std::int16_t> samples = sum_samples(1, [](std::uint32_t sum) {
@@ -77,6 +80,7 @@ class Builder {
       texture_.next_row(width(), [&](std::size_t x, const std::uint8_t* run, std::size_t count) {
         std::memcpy(&texels[x], run, count);
       });
+      if (!marks_.empty()) paint_marks(*mark_look_, marks_, y, texels);
       interpolate_down(samples, 1, y, row_light);
       const IndexedRow row{texels.data(), row_light.data(),           tables_.colormap.rows.data(),
                            out,           request_.block.shape.width, texels_a_sample()};
@@ -100,6 +104,7 @@ class Builder {
         for (std::size_t i = 0; i < count; ++i) colours[x + i] = tables_.surface_rgb[run[i]];
         if (has_holes()) std::memcpy(&indices[x], run, count);
       });
+      if (!marks_.empty()) paint_marks(*mark_look_, marks_, y, colours);
       interpolate_down(samples, 4, y, row_light);
       const RgbRow row{colours.data(), row_light.data(), out, request_.block.shape.width, texels_a_sample()};
       vector_ ? build_rgb_row_vector(row) : build_rgb_row_plain(row);
@@ -159,6 +164,7 @@ class Builder {
 
   const world::Level& level_;
   const ColourTables& tables_;
+  const MarkLook* const mark_look_;
   const BlockRequest& request_;
   const bool vector_;
   base::Arena& scratch_;
@@ -166,6 +172,7 @@ class Builder {
   const SampleGrid grid_;
   const world::Texture& drawn_;
   TextureRows texture_;
+  const std::span<const PlacedMark> marks_;
 };
 
 }  // namespace
@@ -177,10 +184,11 @@ SurfaceShape surface_shape(const world::Face& face, int tile_s, int tile_t, int 
   return {size(face.texture_extents[0], tile_s), size(face.texture_extents[1], tile_t)};
 }
 
-void build_surface(const world::Level& level, const ColourTables& tables, const BlockRequest& request,
-                   PixelFormat format, bool vector_kernels, base::Arena& scratch) {
+void build_surface(const world::Level& level, const ColourTables& tables, const MarkLook* mark_look,
+                   const BlockRequest& request, PixelFormat format, bool vector_kernels,
+                   base::Arena& scratch) {
   scratch.reset();
-  Builder builder(level, tables, request, vector_kernels, scratch);
+  Builder builder(level, tables, mark_look, request, vector_kernels, scratch);
   format == PixelFormat::kIndexed ? builder.build_indexed() : builder.build_rgb();
 }
 

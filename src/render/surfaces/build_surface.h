@@ -1,4 +1,4 @@
-// One block: texture x light. Abrash, "Surface Caching".
+// One block: texture, with marks on it, x light. Abrash, "Surface Caching".
 //
 // Light is worked out at the light map's samples (one every 16 texels), all styles summed, then interpolated:
 // down the sample columns first, then along each row. Numbers per sample:
@@ -18,6 +18,7 @@
 #include "render/colour/colour_tables.h"
 #include "render/frame.h"
 #include "render/surfaces/face_lights.h"
+#include "render/surfaces/paint_marks.h"
 #include "render/surfaces/surface_block.h"
 #include "render/surfaces/surface_cache.h"
 
@@ -29,13 +30,16 @@ struct BlockRequest {
   int mip;
   BlockContents contents;
   std::span<const FaceLight> lights;  // those that contents.lights is the hash of
+  std::span<const Mark> marks;        // those of contents.marks
   SurfaceBlock block;
   const world::Texture* texture = nullptr;  // drawn in place of the level's own; null: that
 };
 
 SurfaceShape surface_shape(const world::Face& face, int tile_s, int tile_t, int mip);
 
-void build_surface(const world::Level& level, const ColourTables& tables, const BlockRequest& request,
-                   PixelFormat format, bool vector_kernels, base::Arena& scratch);
+// `mark_look` is needed for requests with marks only.
+void build_surface(const world::Level& level, const ColourTables& tables, const MarkLook* mark_look,
+                   const BlockRequest& request, PixelFormat format, bool vector_kernels,
+                   base::Arena& scratch);
 
 }  // namespace temblor::render

@@ -40,11 +40,12 @@ struct DrawItems {
   std::uint32_t first_late;         // from here on items are drawn after all others, one surface at a time
 };
 
-// `io_job_arenas` grows as needed: one for each job that runs at the same time as others.
+// `mark_look` is needed for scenes with marks only. `io_job_arenas` grows as needed: one for each job that
+// runs at the same time as others.
 DrawItems prepare_surfaces(const Scene& scene, const Settings& settings, const ViewFrame& view,
                            const EdgeTable& table, const SpanTable& spans, const ColourTables& colour_tables,
-                           const CutoutTextures& cutouts, PixelFormat format, base::Jobs& jobs,
-                           base::Arena& arena, std::vector<base::Arena>& io_job_arenas,
+                           const CutoutTextures& cutouts, const MarkLook* mark_look, PixelFormat format,
+                           base::Jobs& jobs, base::Arena& arena, std::vector<base::Arena>& io_job_arenas,
                            SurfaceCache& io_cache, FrameStats& io_stats);
 
 }  // namespace temblor::render

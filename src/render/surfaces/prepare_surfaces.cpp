@@ -167,6 +167,7 @@ class Preparation {
                          {},
                          {},
                          {},
+                         {},
                          item.texture};
     request.contents.texture = item.texture_index;
     request.contents.coloured = shows_colour() && !level_.light_rgb.empty();
@@ -175,6 +176,10 @@ class Preparation {
     if (touched_[base::to_size(item.surface)]) {
       request.lights = lights_on_tile(surface, sample_grid(face, request.tile_s, request.tile_t));
       request.contents.lights = hash_of(request.lights);
+    }
+    if (has_marks(scene_)) {
+      request.marks = scene_.marks->of_face(surface.face);
+      request.contents.marks = scene_.marks->revision(surface.face);
     }
     return request;
   }
@@ -290,8 +295,8 @@ void ready_arenas(std::vector<base::Arena>& io_arenas, std::size_t count) {
 
 DrawItems prepare_surfaces(const Scene& scene, const Settings& settings, const ViewFrame& view,
                            const EdgeTable& table, const SpanTable& spans, const ColourTables& colour_tables,
-                           const CutoutTextures& cutouts, PixelFormat format, base::Jobs& jobs,
-                           base::Arena& arena, std::vector<base::Arena>& io_job_arenas,
+                           const CutoutTextures& cutouts, const MarkLook* mark_look, PixelFormat format,
+                           base::Jobs& jobs, base::Arena& arena, std::vector<base::Arena>& io_job_arenas,
                            SurfaceCache& io_cache, FrameStats& io_stats) {
   Preparation preparation(scene, settings, view, table, spans, cutouts, format, arena);
   preparation.collect();
@@ -319,7 +324,7 @@ DrawItems prepare_surfaces(const Scene& scene, const Settings& settings, const V
   ready_arenas(io_job_arenas, build_jobs);
   jobs.parallel_for(build_jobs, [&](std::size_t job) {
     for (std::size_t i = job; i < requests.size(); i += build_jobs)
-      build_surface(*scene.level, colour_tables, requests[i], format, settings.vector_kernels,
+      build_surface(*scene.level, colour_tables, mark_look, requests[i], format, settings.vector_kernels,
                     io_job_arenas[job]);
   });
   return {preparation.items(), table.first_late_item()};
