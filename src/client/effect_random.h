@@ -29,7 +29,7 @@ class EffectRandom {
 
  private:
   std::uint64_t next() {
-    state_ += base::kGoldenGamma;
+    state_ += 0x9e3779b97f4a7c15u;
     return base::mixed_bits(state_);
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/hash.h"
 #include "client/dynamic_lights.h"
 #include "client/effect_random.h"
 #include "client/hit_marks.h"
@@ -64,10 +65,10 @@ std::optional<Hit> hit_of(const TempEntity& what) {
     case TempEntityKind::kGunshot:
     case TempEntityKind::kSpike:
     case TempEntityKind::kWizSpike:
-      return Hit{render::MarkKind::kBulletHole, what.origin, 6, 2.5f};
+      return Hit{render::MarkKind::kBulletHole, what.origin, 6, 4};
     case TempEntityKind::kSuperSpike:
     case TempEntityKind::kKnightSpike:
-      return Hit{render::MarkKind::kBulletHole, what.origin, 6, 3.5f};
+      return Hit{render::MarkKind::kBulletHole, what.origin, 6, 5};
     case TempEntityKind::kExplosion:
     case TempEntityKind::kTarExplosion:
     case TempEntityKind::kExplosion2:

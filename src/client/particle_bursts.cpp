@@ -2,9 +2,10 @@
 #include "client/particle_bursts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "base/hash.h"
 
 namespace temblor::client {
 
@@ -31,7 +32,7 @@ math::Vec3 with_length(const math::Vec3& direction, float length) {
 
 // Points spread evenly over the unit ball's surface, each turned from the one before it by the golden angle.
 math::Vec3d on_ball(std::size_t index, std::size_t count) {
-  constexpr double kGoldenAngle = std::numbers::pi * (3 - 2.2360679774997896964);
+  constexpr double kGoldenAngle = 2 * std::numbers::pi * (2 - std::numbers::phi);
   const double z = 1 - (2 * static_cast<double>(index) + 1) / static_cast<double>(count);
   const double radius = std::sqrt(1 - z * z), turn = kGoldenAngle * static_cast<double>(index);
   return {radius * std::cos(turn), radius * std::sin(turn), z};
@@ -127,7 +128,7 @@ void show_bright_field(const BurstContext& context, const math::Vec3& origin_wor
   constexpr double kFastest = 2.55;  // radians a second
   for (std::size_t i = 0; i < kCount; ++i) {
     // Each wanders at a pace of its own, always the same.
-    const std::uint64_t own = base::mixed_bits(base::kGoldenGamma * (i + 1));
+    const std::uint64_t own = base::hash_with(0, i);
     const double yaw = context.time_s * kFastest * static_cast<double>(own & 255) / 255;
     const double pitch = context.time_s * kFastest * static_cast<double>(own >> 8 & 255) / 255;
     const math::Vec3d wander{std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw),
