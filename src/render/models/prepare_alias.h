@@ -11,7 +11,7 @@ namespace temblor::render {
 
 // Below so many pixels from end to end, a model's triangles are drawn by subdivision where the rasterizer is
 // chosen by size: the mean length of their sides, at the nearest point of the model's box.
-constexpr double kSubdivisionSidePx = 1.0;
+constexpr double kSubdivisionSidePx = 2.0;
 
 struct PreparedAlias {
   TriangleJob job;

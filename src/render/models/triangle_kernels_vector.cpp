@@ -175,13 +175,22 @@ HWY_INLINE void FindRows(const Setup& setup, int row, double width, RowStarts& o
   }
 }
 
+// Towards zero. Highway's ConvertTo guards against numbers that do not fit 32 bits, which these never are.
+HWY_INLINE VI ToWhole(VF v) {
+#if HWY_TARGET <= HWY_AVX3
+  return VI{_mm256_cvttps_epi32(v.raw)};
+#else
+  return hn::ConvertTo(DI(), v);
+#endif
+}
+
 // The palette index at each lane.
 HWY_INLINE VU SkinTexels(const TriangleJob& job, VF s, VF t) {
   const DF d;
   const VF last_s = hn::Set(d, static_cast<float>(job.skin_width - 1));
   const VF last_t = hn::Set(d, static_cast<float>(job.skin_height - 1));
-  const VI column = hn::ConvertTo(DI(), hn::Max(hn::Min(s, last_s), hn::Zero(d)));
-  const VI row = hn::ConvertTo(DI(), hn::Max(hn::Min(t, last_t), hn::Zero(d)));
+  const VI column = ToWhole(hn::Max(hn::Min(s, last_s), hn::Zero(d)));
+  const VI row = ToWhole(hn::Max(hn::Min(t, last_t), hn::Zero(d)));
   const VI offset = hn::Add(hn::Mul(row, hn::Set(DI(), job.skin_width)), column);
   // Three more bytes come along, and are cut off again.
   return hn::And(hn::GatherOffset(DU(), reinterpret_cast<const uint32_t*>(job.skin), offset),
@@ -190,7 +199,7 @@ HWY_INLINE VU SkinTexels(const TriangleJob& job, VF s, VF t) {
 
 HWY_INLINE VI BoundedLight(VF light, float most) {
   const DF d;
-  return hn::ConvertTo(DI(), hn::Max(hn::Min(light, hn::Set(d, most)), hn::Zero(d)));
+  return ToWhole(hn::Max(hn::Min(light, hn::Set(d, most)), hn::Zero(d)));
 }
 
 HWY_INLINE VU LitTexels(const TriangleJob& job, VU texels, VF light, uint8_t) {
@@ -228,7 +237,9 @@ HWY_INLINE VF LoadDepth(MF covered, const float* depth, int) {
 }
 HWY_INLINE void StoreWhere(MF shown, VF depth, VU pixels, float* out_depth, uint8_t* out, int) {
   hn::BlendedStore(depth, shown, DF(), out_depth);
-  hn::BlendedStore(hn::TruncateTo(D8(), pixels), hn::Mask<D8>{static_cast<__mmask16>(shown.raw)}, D8(), out);
+  // One instruction; TruncateTo takes several shuffles.
+  const hn::Vec<D8> bytes{_mm256_cvtepi32_epi8(pixels.raw)};
+  hn::BlendedStore(bytes, hn::Mask<D8>{static_cast<__mmask16>(shown.raw)}, D8(), out);
 }
 HWY_INLINE void StoreWhere(MF shown, VF depth, VU pixels, float* out_depth, uint32_t* out, int) {
   hn::BlendedStore(depth, shown, DF(), out_depth);
@@ -260,34 +271,33 @@ HWY_INLINE void StoreWhere(MF shown, VF depth, VU pixels, float* out_depth, Pixe
 
 #endif
 
-// A pixel's values are those of the row's first pixel and so many steps more.
+// A pixel's values are those of its row's first pixel and `lane` steps more.
 struct Steps {
   VF depth, light, s, t;
+
+  HWY_INLINE Steps AtLanes(VF lane) const {
+    return {hn::Mul(lane, depth), hn::Mul(lane, light), hn::Mul(lane, s), hn::Mul(lane, t)};
+  }
 };
 
 template <typename Pixel, bool kPerspective>
-HWY_INLINE void DrawRow(const TriangleJob& job, const RowStarts& rows, int row, const Steps& steps, int count,
-                        Pixel* HWY_RESTRICT pixels, float* HWY_RESTRICT nearest) {
+HWY_INLINE void DrawPixels(const TriangleJob& job, const RowStarts& rows, int row, const Steps& offsets,
+                           int count, Pixel* HWY_RESTRICT pixels, float* HWY_RESTRICT nearest) {
   const DF d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int x = 0; x < count; x += lanes) {
-    const int now = HWY_MIN(count - x, lanes);
-    const VF lane = hn::Add(hn::Iota(d, 0.0f), hn::Set(d, static_cast<float>(x)));
-    const MF covered = hn::FirstN(d, static_cast<size_t>(now));
-    const VF depth = hn::Add(hn::Set(d, rows.value[0][row]), hn::Mul(lane, steps.depth));
-    const MF shown = hn::And(covered, hn::Ge(depth, LoadDepth(covered, nearest + x, now)));
-    if (hn::AllFalse(d, shown)) continue;
-    const VF light = hn::Add(hn::Set(d, rows.value[1][row]), hn::Mul(lane, steps.light));
-    VF s = hn::Add(hn::Set(d, rows.value[2][row]), hn::Mul(lane, steps.s));
-    VF t = hn::Add(hn::Set(d, rows.value[3][row]), hn::Mul(lane, steps.t));
-    if constexpr (kPerspective) {
-      const VF z = hn::Div(hn::Set(d, 1.0f), hn::Max(depth, hn::Set(d, kLeastDepth)));
-      s = hn::Mul(s, z);
-      t = hn::Mul(t, z);
-    }
-    const VU colours = LitTexels(job, SkinTexels(job, s, t), light, Pixel{});
-    StoreWhere(shown, depth, colours, nearest + x, pixels + x, now);
+  const MF covered = hn::FirstN(d, static_cast<size_t>(count));
+  const VF depth = hn::Add(hn::Set(d, rows.value[0][row]), offsets.depth);
+  const MF shown = hn::And(covered, hn::Ge(depth, LoadDepth(covered, nearest, count)));
+  if (hn::AllFalse(d, shown)) return;
+  const VF light = hn::Add(hn::Set(d, rows.value[1][row]), offsets.light);
+  VF s = hn::Add(hn::Set(d, rows.value[2][row]), offsets.s);
+  VF t = hn::Add(hn::Set(d, rows.value[3][row]), offsets.t);
+  if constexpr (kPerspective) {
+    const VF z = hn::Div(hn::Set(d, 1.0f), hn::Max(depth, hn::Set(d, kLeastDepth)));
+    s = hn::Mul(s, z);
+    t = hn::Mul(t, z);
   }
+  const VU colours = LitTexels(job, SkinTexels(job, s, t), light, Pixel{});
+  StoreWhere(shown, depth, colours, nearest, pixels, count);
 }
 
 template <typename Pixel, bool kPerspective>
@@ -297,6 +307,8 @@ HWY_INLINE void DrawRows(const TriangleJob& job, const Setup& setup, const Trian
                        hn::Set(d, static_cast<float>(setup.gradients[1].dx)),
                        hn::Set(d, static_cast<float>(setup.gradients[2].dx)),
                        hn::Set(d, static_cast<float>(setup.gradients[3].dx))};
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const Steps first_offsets = steps.AtLanes(hn::Iota(d, 0.0f));
   const int rows_at_once = static_cast<int>(hn::Lanes(DD()));
   const double width = target.width;
   RowStarts rows;
@@ -309,8 +321,15 @@ HWY_INLINE void DrawRows(const TriangleJob& job, const Setup& setup, const Trian
       const size_t first =
           static_cast<size_t>(y + row - target.first_row) * static_cast<size_t>(target.width) +
           static_cast<size_t>(rows.first[row]);
-      DrawRow<Pixel, kPerspective>(job, rows, row, steps, pixels, static_cast<Pixel*>(target.pixels) + first,
-                                   target.depth + first);
+      Pixel* const row_pixels = static_cast<Pixel*>(target.pixels) + first;
+      float* const row_depth = target.depth + first;
+      DrawPixels<Pixel, kPerspective>(job, rows, row, first_offsets, HWY_MIN(pixels, lanes), row_pixels,
+                                      row_depth);
+      for (int x = lanes; x < pixels; x += lanes) {
+        const VF lane = hn::Add(hn::Iota(d, 0.0f), hn::Set(d, static_cast<float>(x)));
+        DrawPixels<Pixel, kPerspective>(job, rows, row, steps.AtLanes(lane), HWY_MIN(pixels - x, lanes),
+                                        row_pixels + x, row_depth + x);
+      }
     }
   }
 }
