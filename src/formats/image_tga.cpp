@@ -127,8 +127,8 @@ base::Result<std::uint32_t> read_pixel(base::ByteReader& io_reader, const Header
   const std::uint32_t index = header.pixel_bits == 8 ? io_reader.u8() : io_reader.u16();
   if (!io_reader.ok()) return std::uint32_t{0};
   if (index < header.map_first || index - header.map_first >= map.size())
-    return base::malformed("TGA: pixel at offset {:#x} has colour {}, the map {} to {}", offset, index,
-                           header.map_first, header.map_first + map.size());
+    return base::malformed("TGA: pixel at offset {:#x} has colour {}, the map {} from {} on", offset, index,
+                           map.size(), header.map_first);
   return map[index - header.map_first];
 }
 

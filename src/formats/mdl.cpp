@@ -37,9 +37,12 @@ bool is_texel(const MdlTexel& texel) {
   return std::min(texel.s, texel.t) >= -kMaxMdlTexel && std::max(texel.s, texel.t) <= kMaxMdlTexel;
 }
 
-math::Vec3 read_vec3(base::ByteReader& io_reader) {
-  const float x = io_reader.f32(), y = io_reader.f32(), z = io_reader.f32();
-  return {x, y, z};
+base::Result<math::Vec3> read_finite_vec3(base::ByteReader& io_reader, std::string_view what) {
+  math::Vec3 v{0.0f};
+  for (int axis = 0; axis < 3; ++axis) {
+    TRY(v[axis], read_finite(io_reader, what));
+  }
+  return v;
 }
 
 void write_vec3(base::ByteWriter& io_writer, const math::Vec3& v) {
@@ -66,23 +69,17 @@ base::Status check_count(const char* what, std::size_t offset, std::uint32_t cou
   return base::Ok{};
 }
 
-base::Status check_numbers(const Mdl& mdl) {
-  if (!is_finite(mdl.scale) || !is_finite(mdl.origin) || !is_finite(mdl.eye) ||
-      !std::isfinite(mdl.bounding_radius) || !std::isfinite(mdl.average_triangle_size))
-    return base::malformed("header: scale, origin, radius, eye or triangle size is not a finite number");
-  if (const float far_corner = reach(mdl.scale, mdl.origin); far_corner > kMaxMdlCoordinate)
-    return base::error(base::ErrorCode::kTooLarge,
-                       "header: scale and origin put vertices {} units away, the limit is {}", far_corner,
-                       kMaxMdlCoordinate);
-  return base::Ok{};
-}
-
 base::Result<Counts> read_header(base::ByteReader& io_reader, Mdl& out_mdl) {
   TRY_STATUS(read_file_kind(io_reader, kFile, kHeaderBytes));
-  out_mdl.scale = read_vec3(io_reader);
-  out_mdl.origin = read_vec3(io_reader);
-  out_mdl.bounding_radius = io_reader.f32();
-  out_mdl.eye = read_vec3(io_reader);
+  const std::size_t scale_offset = io_reader.offset();
+  TRY(out_mdl.scale, read_finite_vec3(io_reader, "scale"));
+  TRY(out_mdl.origin, read_finite_vec3(io_reader, "origin"));
+  if (const float far_corner = reach(out_mdl.scale, out_mdl.origin); far_corner > kMaxMdlCoordinate)
+    return base::error(base::ErrorCode::kTooLarge,
+                       "header at offset {:#x}: scale and origin put vertices {} units away, the limit is {}",
+                       scale_offset, far_corner, kMaxMdlCoordinate);
+  TRY(out_mdl.bounding_radius, read_finite(io_reader, "bounding radius"));
+  TRY(out_mdl.eye, read_finite_vec3(io_reader, "eye"));
 
   Counts counts;
   const auto read_count = [&](const char* what, std::uint32_t limit, std::uint32_t& out_count) {
@@ -90,7 +87,7 @@ base::Result<Counts> read_header(base::ByteReader& io_reader, Mdl& out_mdl) {
     out_count = io_reader.u32();
     return check_count(what, offset, out_count, limit);
   };
-  TRY_STATUS(read_count("skins", kMaxMdlPoses, counts.skins));
+  TRY_STATUS(read_count("skins", kMaxMdlSkins, counts.skins));
   TRY_STATUS(read_count("texels in a skin's width", kMaxMdlSkinSide, out_mdl.skin_width));
   TRY_STATUS(read_count("texels in a skin's height", kMaxMdlSkinSide, out_mdl.skin_height));
   TRY_STATUS(read_count("vertices", kMaxMdlVertices, counts.vertices));
@@ -98,8 +95,7 @@ base::Result<Counts> read_header(base::ByteReader& io_reader, Mdl& out_mdl) {
   TRY_STATUS(read_count("frames", kMaxMdlPoses, counts.frames));
   out_mdl.random_phase = io_reader.i32() != 0;
   out_mdl.flags = io_reader.u32();
-  out_mdl.average_triangle_size = io_reader.f32();
-  TRY_STATUS(check_numbers(out_mdl));
+  TRY(out_mdl.average_triangle_size, read_finite(io_reader, "average triangle size"));
   return counts;
 }
 
@@ -111,7 +107,7 @@ base::Result<MdlSkin> read_skin(base::ByteReader& io_reader, const Mdl& mdl, std
   }
   const std::size_t texels = std::size_t{mdl.skin_width} * mdl.skin_height;
   for (std::uint32_t i = 0; i < std::max(members, 1u); ++i) {
-    TRY_STATUS(need_bytes(io_reader, texels, part));
+    TRY_STATUS(need_bytes(io_reader, texels, member_name(part, "picture", i, members)));
     const auto picture = base::as_u8(io_reader.take(texels));
     skin.pictures.emplace_back(picture.begin(), picture.end());
   }
@@ -180,8 +176,7 @@ base::Result<MdlFrame> read_frame(base::ByteReader& io_reader, std::uint32_t ver
     TRY(frame.end_times_s, read_group_times(io_reader, members, part));
   }
   for (std::uint32_t i = 0; i < std::max(members, 1u); ++i) {
-    TRY(MdlPose pose, read_pose(io_reader, vertices,
-                                members > 0 ? fmt::format("{}, pose {}", part, i) : std::string(part)));
+    TRY(MdlPose pose, read_pose(io_reader, vertices, member_name(part, "pose", i, members)));
     frame.poses.push_back(std::move(pose));
   }
   return frame;
@@ -221,9 +216,10 @@ void check_frame(const MdlFrame& frame, const Mdl& mdl) {
 }
 
 void check_model(const Mdl& mdl) {
-  CHECK(check_numbers(mdl).ok());
+  CHECK(reach(mdl.scale, mdl.origin) <= kMaxMdlCoordinate, "{}", reach(mdl.scale, mdl.origin));
+  CHECK(is_finite(mdl.eye) && std::isfinite(mdl.bounding_radius) && std::isfinite(mdl.average_triangle_size));
   const auto in_range = [](std::size_t count, std::size_t limit) { return count >= 1 && count <= limit; };
-  CHECK(in_range(mdl.skins.size(), kMaxMdlPoses), "{}", mdl.skins.size());
+  CHECK(in_range(mdl.skins.size(), kMaxMdlSkins), "{}", mdl.skins.size());
   CHECK(in_range(mdl.skin_width, kMaxMdlSkinSide) && in_range(mdl.skin_height, kMaxMdlSkinSide), "{} x {}",
         mdl.skin_width, mdl.skin_height);
   CHECK(in_range(mdl.texels.size(), kMaxMdlVertices), "{}", mdl.texels.size());

@@ -13,7 +13,8 @@
 namespace temblor::formats {
 
 // What a file may hold; far above what stock games and mods use.
-constexpr std::uint32_t kMaxMdlVertices = 1 << 16, kMaxMdlTriangles = 1 << 17, kMaxMdlPoses = 1 << 14;
+constexpr std::uint32_t kMaxMdlVertices = 1 << 16, kMaxMdlTriangles = 1 << 17, kMaxMdlPoses = 1 << 14,
+                        kMaxMdlSkins = 1 << 14;
 constexpr std::uint32_t kMaxMdlSkinSide = 1 << 13;  // texels
 constexpr std::int32_t kMaxMdlTexel = 1 << 16;
 constexpr std::size_t kMdlNormals = 162;

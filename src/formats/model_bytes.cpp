@@ -1,5 +1,9 @@
 #include "formats/model_bytes.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "base/check.h"
 #include "formats/group_time.h"
 
@@ -27,6 +31,14 @@ void write_file_kind(base::ByteWriter& io_writer, const FileKind& kind) {
   io_writer.i32(kind.version);
 }
 
+base::Result<float> read_finite(base::ByteReader& io_reader, std::string_view what) {
+  const std::size_t offset = io_reader.offset();
+  const float number = io_reader.f32();
+  if (!std::isfinite(number))
+    return base::malformed("header at offset {:#x}: {} is {}", offset, what, number);
+  return number;
+}
+
 base::Status need_bytes(const base::ByteReader& reader, std::uint64_t bytes, std::string_view part) {
   if (bytes <= reader.remaining()) return base::Ok{};
   return base::malformed("{} at offset {:#x}: needs {} bytes, {} are left", part, reader.offset(), bytes,
@@ -45,6 +57,11 @@ base::Result<std::uint32_t> read_group_members(base::ByteReader& io_reader, std:
   const std::uint32_t members = io_reader.u32();
   if (members == 0) return base::malformed("{} at offset {:#x}: a group of none", part, offset);
   return members;
+}
+
+std::string member_name(std::string_view part, std::string_view kind, std::uint32_t i,
+                        std::uint32_t members) {
+  return members > 0 ? fmt::format("{}, {} {}", part, kind, i) : std::string(part);
 }
 
 void write_group_members(base::ByteWriter& io_writer, std::size_t members) {

@@ -34,19 +34,17 @@ base::Result<std::uint32_t> read_header(base::ByteReader& io_reader, Spr& out_sp
     return base::malformed("header at offset {:#x}: unknown orientation {} (known: 0 to {})",
                            orientation_offset, orientation, kLastOrientation);
   out_spr.orientation = static_cast<SprOrientation>(orientation);
-  out_spr.bounding_radius = io_reader.f32();
+  TRY(out_spr.bounding_radius, read_finite(io_reader, "bounding radius"));
   out_spr.max_width = io_reader.u32();
   out_spr.max_height = io_reader.u32();
   const std::size_t frames_offset = io_reader.offset();
   const std::uint32_t frames = io_reader.u32();
-  out_spr.beam_length = io_reader.f32();
+  TRY(out_spr.beam_length, read_finite(io_reader, "beam length"));
   out_spr.random_phase = io_reader.i32() != 0;
   if (frames == 0) return base::malformed("header at offset {:#x}: no frames", frames_offset);
   if (frames > kMaxSprPictures)
     return base::error(base::ErrorCode::kTooLarge, "header at offset {:#x}: {} frames, the limit is {}",
                        frames_offset, frames, kMaxSprPictures);
-  if (!std::isfinite(out_spr.bounding_radius) || !std::isfinite(out_spr.beam_length))
-    return base::malformed("header: radius or beam length is not a finite number");
   return frames;
 }
 
@@ -78,8 +76,7 @@ base::Result<SprFrame> read_frame(base::ByteReader& io_reader, std::string_view 
     TRY(frame.end_times_s, read_group_times(io_reader, members, part));
   }
   for (std::uint32_t i = 0; i < std::max(members, 1u); ++i) {
-    const std::string name = members > 0 ? fmt::format("{}, picture {}", part, i) : std::string(part);
-    TRY(SprPicture picture, read_sprite_picture(io_reader, name));
+    TRY(SprPicture picture, read_sprite_picture(io_reader, member_name(part, "picture", i, members)));
     frame.pictures.push_back(std::move(picture));
   }
   return frame;

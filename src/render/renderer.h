@@ -8,6 +8,7 @@
 
 #include "base/parallel_for.h"
 #include "formats/palette.h"
+#include "render/draw_list.h"
 #include "render/frame.h"
 #include "render/scene.h"
 
@@ -58,6 +59,11 @@ class Renderer {
   // Draws `scene` into every pixel of `io_frame`. Width and height from 1 to 8192. The same scene and
   // settings give the same pixels, whatever was drawn before and however many threads.
   FrameStats render(const Scene& scene, const Settings& settings, FrameBuffer& io_frame);
+
+  // Draws `list` over `io_frame`, command by command. CHECKs that parts lie in their pictures; areas may lie
+  // anywhere. Opacity is blended exactly in rgb; in indexed colour it is rounded to a sixteenth, and the
+  // palette's nearest colour is shown.
+  void draw_overlay(const DrawList& list, FrameBuffer& io_frame) const;
 
   // The last frame's spans, expanded: one entry a pixel, and how often each pixel was written. For tests.
   void pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_t> out_writes) const;

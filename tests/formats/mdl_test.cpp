@@ -141,9 +141,17 @@ TEST(Mdl, AnotherMagicOrVersion) {
 
 TEST(Mdl, NumbersThatAreNone) {
   const float infinity = std::numeric_limits<float>::infinity();
-  for (const float number : {infinity, -infinity, std::numeric_limits<float>::quiet_NaN()})
-    for (const std::size_t at : {kScaleAt, kScaleAt + 8, kOriginAt + 4, kRadiusAt, kEyeAt + 8, kSizeAt})
-      EXPECT_THAT(error_of(test::with_number(smallest_model(), at, number)), HasSubstr("finite")) << at;
+  struct Number {
+    std::size_t at;
+    const char* name;
+  };
+  for (const Number& number : {Number{kScaleAt, "scale"}, Number{kScaleAt + 8, "scale"},
+                               Number{kOriginAt + 4, "origin"}, Number{kRadiusAt, "bounding radius"},
+                               Number{kEyeAt + 8, "eye"}, Number{kSizeAt, "average triangle size"}}) {
+    for (const float value : {infinity, -infinity, std::numeric_limits<float>::quiet_NaN()})
+      EXPECT_THAT(error_of(test::with_number(smallest_model(), number.at, value)),
+                  HasSubstr(fmt::format("header at offset {:#x}: {} is", number.at, number.name)));
+  }
   for (const std::size_t at : {kScaleAt, kOriginAt + 8})
     EXPECT_THAT(error_of(test::with_number(smallest_model(), at, -1e30f)), HasSubstr("units away")) << at;
 }

@@ -79,7 +79,7 @@ TEST(Spr, FaultsOfTheHeader) {
   EXPECT_THAT(error_of(test::with_number(valid, kFramesAt, 2)), HasSubstr("frame 1 at offset 0x3a"));
   for (const std::size_t at : {kRadiusAt, kBeamAt})
     EXPECT_THAT(error_of(test::with_number(valid, at, std::numeric_limits<float>::quiet_NaN())),
-                HasSubstr("finite"));
+                HasSubstr("is nan"));
 }
 
 TEST(Spr, FaultsOfAPicture) {

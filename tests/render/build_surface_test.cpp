@@ -140,7 +140,7 @@ void expect_as_defined(const DrawableLevel& drawable, BlockRequest request, Pixe
       render::surface_shape(drawable.level->face(request.face), request.tile_s, request.tile_t, request.mip),
       indexed ? 1 : 4);
   request.block = block.view();
-  render::build_surface(*drawable.level, tables, request, format, vector_kernels, scratch);
+  render::build_surface(*drawable.level, tables, nullptr, request, format, vector_kernels, scratch);
   const SurfaceDefinition definition(drawable, request);
   for (int y = 0; y < block.shape.height; ++y)
     for (int x = 0; x < block.shape.width; ++x) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 #include <optional>
 
@@ -75,6 +76,8 @@ render::Scene Viewpoint::scene(const world::Level& level) const {
   return {.level = &level,
           .camera = camera,
           .brush_models = brush_models,
+          .lights = lights,
+          .marks = &marks,
           .time_s = time_s,
           .light_styles = world::light_style_values(world::standard_light_styles(), time_s)};
 }
@@ -119,6 +122,47 @@ render::Camera random_camera(const world::Level& level, Random& io_random) {
   camera.angles_deg = math::Vec3(math::Vec3d(pitch_deg, yaw_deg, roll_deg));
   if (io_random.chance(0.2)) camera.fov_deg = static_cast<float>(io_random.uniform(10, 150));
   return camera;
+}
+
+std::vector<render::Camera> player_cameras(const world::Level& level) {
+  constexpr float kEyeHeight = 22;
+  std::vector<render::Camera> cameras;
+  for (const formats::Entity& entity : level.entities) {
+    const std::string_view classname = entity.classname();
+    if (!classname.starts_with("info_player") && classname != "info_teleport_destination") continue;
+    render::Camera camera;
+    camera.origin_world =
+        entity.find_vec3("origin").value_or(math::Vec3(0.0f)) + math::Vec3(0, 0, kEyeHeight);
+    camera.angles_deg.y = entity.find_number("angle").value_or(0);
+    cameras.push_back(camera);
+  }
+  return cameras;
+}
+
+std::vector<render::DynamicLight> random_lights(const math::Vec3& middle_world, std::size_t most,
+                                                Random& io_random) {
+  std::vector<render::DynamicLight> lights(io_random.below(most + 1));
+  for (render::DynamicLight& light : lights) {
+    light.origin_world = middle_world + io_random.in_cube(200);
+    light.radius = static_cast<float>(io_random.uniform(20, 400));
+    if (io_random.chance(0.5)) light.least = static_cast<float>(io_random.uniform(0, 40));
+    if (io_random.chance(0.5)) light.colour = glm::abs(io_random.in_cube(2));
+  }
+  return lights;
+}
+
+render::MarkSet random_marks(const world::Level& level, std::size_t count, Random& io_random) {
+  render::MarkSet marks;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto number = base::to_index<world::FaceIndex>(io_random.below(level.faces.size()));
+    const world::Face& face = level.face(number);
+    const std::size_t corner = face.first_surfedge + io_random.below(face.surfedge_count);
+    marks.add(number, {.kind = static_cast<render::MarkKind>(io_random.below(3)),
+                       .position_model = level.vertices[level.surfedge_start(corner)] + io_random.in_cube(8),
+                       .radius = static_cast<float>(io_random.log_uniform(1, 64)),
+                       .seed = static_cast<std::uint32_t>(io_random.bits())});
+  }
+  return marks;
 }
 
 }  // namespace temblor::test

@@ -5,7 +5,9 @@
 namespace temblor::render {
 
 ColourTables make_colour_tables(const formats::Palette& palette, const formats::Colormap& colormap) {
-  ColourTables tables{palette, colormap, {}, {}, 256 - colormap.fullbrights};
+  const int first_fullbright = 256 - colormap.fullbrights;
+  const PaletteMatch match(palette, first_fullbright);
+  ColourTables tables{palette, colormap, {}, {}, first_fullbright, match, BlendTables(palette, match)};
   for (int i = 0; i < 256; ++i) {
     const auto index = static_cast<std::size_t>(i);
     tables.rgb[index] = to_rgb(palette[index]);

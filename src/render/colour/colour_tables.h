@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "formats/palette.h"
+#include "render/colour/blend_tables.h"
 
 namespace temblor::render {
 
@@ -18,6 +18,8 @@ struct ColourTables {
   std::array<std::uint32_t, 256> rgb;          // 0xffRRGGBB
   std::array<std::uint32_t, 256> surface_rgb;  // the same, with alpha 0 where light changes nothing
   int first_fullbright = 224;
+  PaletteMatch match;
+  BlendTables blends;
 };
 
 ColourTables make_colour_tables(const formats::Palette& palette, const formats::Colormap& colormap);

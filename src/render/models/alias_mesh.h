@@ -35,7 +35,8 @@ struct AliasModel {
 
   std::string name;
   std::uint32_t flags = 0;  // formats::MdlFlags
-  math::Bounds bounds;      // of all poses, model space
+  bool random_phase = false;
+  math::Bounds bounds;  // of all poses, model space
   // position = bytes * scale + origin
   math::Vec3 scale{1.0f}, origin{0.0f};
 

@@ -120,6 +120,7 @@ std::shared_ptr<const AliasModel> make_alias_model(const formats::Mdl& mdl, std:
   auto model = std::make_shared<AliasModel>();
   model->name = std::move(name);
   model->flags = mdl.flags;
+  model->random_phase = mdl.random_phase;
   model->scale = mdl.scale;
   model->origin = mdl.origin;
   model->skin_width = mdl.skin_width;
@@ -162,6 +163,10 @@ std::uint32_t skin_at(const AliasModel& model, std::uint32_t skin, double time_s
 
 std::uint32_t flags_of(const AliasModel& model) {
   return model.flags;
+}
+
+bool random_phase_of(const AliasModel& model) {
+  return model.random_phase;
 }
 
 std::uint32_t frame_count(const AliasModel& model) {

@@ -3,6 +3,7 @@
 #include "render/surfaces/build_surface.h"
 #include "render/surfaces/choose_mip.h"
 #include "render/surfaces/draw_items.h"
+#include "render/surfaces/light_samples.h"
 
 namespace temblor::render {
 
@@ -26,17 +27,19 @@ constexpr std::size_t kSurfacesAJob = 32;
 class Preparation {
  public:
   Preparation(const Scene& scene, const Settings& settings, const ViewFrame& view, const EdgeTable& table,
-              const SpanTable& spans, PixelFormat format, base::Arena& arena)
+              const SpanTable& spans, const CutoutTextures& cutouts, PixelFormat format, base::Arena& arena)
       : scene_(scene),
         level_(*scene.level),
         settings_(settings),
         view_(view),
         table_(table),
         spans_(spans),
+        cutouts_(cutouts),
         format_(format),
         arena_(arena),
         items_(arena.allocate_filled<DrawItem>(table.item_count, DrawItem{})),
-        seen_(arena.allocate_filled<PixelSum>(table.item_count, PixelSum{})) {}
+        seen_(arena.allocate_filled<PixelSum>(table.item_count, PixelSum{})),
+        touched_(arena.allocate_filled<bool>(table.surfaces.size(), false)) {}
 
   // Marks what got spans, and sums up where.
   void collect() {
@@ -62,6 +65,7 @@ class Preparation {
     const world::Face& face = level_.face(surface.face);
     const ModelView& model_view = table_.model_views[surface.instance];
     const FacePlacement placed = place_face(level_, face, model_view);
+    touched_[number] = has_surface(face) && is_touched(face, placed);
     const ScreenPlane depth = depth_plane(view_, placed.normal, placed.distance);
     const ScreenPlane s = coordinate_plane(view_, depth, placed.s_axis, placed.s_offset);
     const ScreenPlane t = coordinate_plane(view_, depth, placed.t_axis, placed.t_offset);
@@ -72,7 +76,8 @@ class Preparation {
       item.depth = depth;
       item.kind = kind_of(face);
       item.light_row = face.kind == world::FaceKind::kLit ? kLightNone : kLightAsStored;
-      item.texture = &level_.texture(texture_of(surface, face));
+      item.texture_index = texture_of(surface, face);
+      item.texture = &cutouts_.drawn(level_, item.texture_index);
       item.mip =
           static_cast<std::uint8_t>(mip_of(surface, surface.first_item + tile, placed, depth, s, t, scratch));
       const math::Vec2d first = first_texel(surface, tile, *item.texture);
@@ -86,21 +91,20 @@ class Preparation {
   // cannot evict them.
   std::span<BlockRequest> request_blocks(SurfaceCache& io_cache, FrameStats& io_stats) {
     base::ArenaVector<BlockRequest> missing(arena_, 256);
-    base::ArenaVector<std::uint32_t> waiting(arena_, 256);
+    base::ArenaVector<ItemRequest> waiting(arena_, 256);
     for (std::uint32_t number = 0; number < items_.size(); ++number) {
       DrawItem& item = items_[number];
       if (item.kind != ItemKind::kSurface) continue;
       const BlockRequest request = request_of(number);
       SurfaceCache::Lookup found;
       if (!io_cache.find(slot_of(io_cache, request), request.contents, found)) {
-        waiting.push_back(number);
+        waiting.push_back({number, request});
         continue;
       }
       item.block = found.block;
       count_use(found, io_stats);
     }
-    for (const std::uint32_t number : waiting) {
-      BlockRequest request = request_of(number);
+    for (auto [number, request] : waiting) {
       const world::Face& face = level_.face(request.face);
       const SurfaceShape shape = surface_shape(face, request.tile_s, request.tile_t, request.mip);
       const SurfaceCache::Lookup room = io_cache.reserve(slot_of(io_cache, request), request.contents, shape);
@@ -117,6 +121,11 @@ class Preparation {
   std::span<DrawItem> items() const { return items_; }
 
  private:
+  struct ItemRequest {
+    std::uint32_t item;
+    BlockRequest request;
+  };
+
   world::TextureIndex texture_of(const ScreenSurface& surface, const world::Face& face) const {
     const int frame = surface.instance == 0 ? 0 : scene_.brush_models[surface.instance - 1].frame;
     return world::animated_texture(level_, face.texture, scene_.time_s, frame);
@@ -156,14 +165,45 @@ class Preparation {
                          static_cast<std::uint16_t>(tile / surface.tiles.s),
                          item.mip,
                          {},
-                         {}};
-    request.contents.texture = texture_of(surface, face);
-    request.contents.coloured =
-        format_ == PixelFormat::kRgb && settings_.coloured_light && !level_.light_rgb.empty();
+                         {},
+                         {},
+                         {},
+                         item.texture};
+    request.contents.texture = item.texture_index;
+    request.contents.coloured = shows_colour() && !level_.light_rgb.empty();
     for (std::size_t style = 0; style < face.style_count; ++style)
       request.contents.style_values[style] = scene_.light_styles[face.styles[style]];
+    if (touched_[base::to_size(item.surface)]) {
+      request.lights = lights_on_tile(surface, sample_grid(face, request.tile_s, request.tile_t));
+      request.contents.lights = hash_of(request.lights);
+    }
+    if (has_marks(scene_)) {
+      request.marks = scene_.marks->of_face(surface.face);
+      request.contents.marks = scene_.marks->revision(surface.face);
+    }
     return request;
   }
+
+  bool shows_colour() const { return format_ == PixelFormat::kRgb && settings_.coloured_light; }
+
+  bool is_touched(const world::Face& face, const FacePlacement& placed) const {
+    const SampleGrid whole{0, 0, face.light_width(), face.light_height()};
+    return std::any_of(scene_.lights.begin(), scene_.lights.end(), [&](const DynamicLight& light) {
+      const std::optional<FaceLight> on_face = light_on_face(light, placed, shows_colour());
+      return on_face && reaches(*on_face, whole);
+    });
+  }
+  std::span<const FaceLight> lights_on_tile(const ScreenSurface& surface, const SampleGrid& tile) const {
+    const FacePlacement placed =
+        place_face(level_, level_.face(surface.face), table_.model_views[surface.instance]);
+    base::ArenaVector<FaceLight> lights(arena_, 4);
+    for (const DynamicLight& light : scene_.lights) {
+      const std::optional<FaceLight> on_face = light_on_face(light, placed, shows_colour());
+      if (on_face && reaches(*on_face, tile)) lights.push_back(*on_face);
+    }
+    return lights.view();
+  }
+
   std::size_t slot_of(const SurfaceCache& cache, const BlockRequest& request) const {
     const TileGrid grid = tile_grid(level_.face(request.face));
     return cache.slot(request.face, std::size_t{request.tile_t} * grid.s + request.tile_s, request.mip);
@@ -238,10 +278,12 @@ class Preparation {
   const ViewFrame& view_;
   const EdgeTable& table_;
   const SpanTable& spans_;
+  const CutoutTextures& cutouts_;
   const PixelFormat format_;
   base::Arena& arena_;
   std::span<DrawItem> items_;
   std::span<PixelSum> seen_;  // by item
+  std::span<bool> touched_;   // by surface: whether a dynamic light reaches the face
 };
 
 // One arena for each of `count` jobs.
@@ -253,10 +295,10 @@ void ready_arenas(std::vector<base::Arena>& io_arenas, std::size_t count) {
 
 DrawItems prepare_surfaces(const Scene& scene, const Settings& settings, const ViewFrame& view,
                            const EdgeTable& table, const SpanTable& spans, const ColourTables& colour_tables,
-                           PixelFormat format, base::Jobs& jobs, base::Arena& arena,
-                           std::vector<base::Arena>& io_job_arenas, SurfaceCache& io_cache,
-                           FrameStats& io_stats) {
-  Preparation preparation(scene, settings, view, table, spans, format, arena);
+                           const CutoutTextures& cutouts, const MarkLook* mark_look, PixelFormat format,
+                           base::Jobs& jobs, base::Arena& arena, std::vector<base::Arena>& io_job_arenas,
+                           SurfaceCache& io_cache, FrameStats& io_stats) {
+  Preparation preparation(scene, settings, view, table, spans, cutouts, format, arena);
   preparation.collect();
 
   const std::size_t describing_jobs = (table.surfaces.size() + kSurfacesAJob - 1) / kSurfacesAJob;
@@ -282,10 +324,10 @@ DrawItems prepare_surfaces(const Scene& scene, const Settings& settings, const V
   ready_arenas(io_job_arenas, build_jobs);
   jobs.parallel_for(build_jobs, [&](std::size_t job) {
     for (std::size_t i = job; i < requests.size(); i += build_jobs)
-      build_surface(*scene.level, colour_tables, requests[i], format, settings.vector_kernels,
+      build_surface(*scene.level, colour_tables, mark_look, requests[i], format, settings.vector_kernels,
                     io_job_arenas[job]);
   });
-  return {preparation.items()};
+  return {preparation.items(), table.first_late_item()};
 }
 
 }  // namespace temblor::render

@@ -1,0 +1,73 @@
+#include "render/colour/blend_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace temblor::render {
+
+namespace {
+
+constexpr std::size_t kTableSize = 256 * 256;
+constexpr std::size_t kClear = 255;
+
+// 0 to `end` - 1.
+std::vector<std::uint8_t> indices_below(int end) {
+  std::vector<std::uint8_t> indices(static_cast<std::size_t>(end));
+  std::iota(indices.begin(), indices.end(), std::uint8_t{0});
+  return indices;
+}
+
+}  // namespace
+
+// A palette may be full-bright throughout: then anything goes.
+PaletteMatch::PaletteMatch(const formats::Palette& palette, int first_fullbright)
+    : first_fullbright_(first_fullbright),
+      lit_(palette,
+           indices_below(first_fullbright > 0 ? std::min(first_fullbright, int{kClear}) : int{kClear})),
+      any_(palette, indices_below(kClear)) {}
+
+// What a lies over b at n sixteenths is what b lies over a at 16 - n: half of the tables are the others,
+// mirrored.
+BlendTables::BlendTables(const formats::Palette& palette, const PaletteMatch& match)
+    : tables_((kSteps - 1) * kTableSize + kOverRead) {
+  for (int step = 1; step <= kSteps / 2; ++step) {
+    std::uint8_t* const table = tables_.data() + static_cast<std::size_t>(step - 1) * kTableSize;
+    std::uint8_t* const mirror = tables_.data() + static_cast<std::size_t>(kSteps - step - 1) * kTableSize;
+    for (std::size_t over = 0; over < 256; ++over)
+      for (std::size_t under = 0; under < 256; ++under) {
+        const bool fullbright = match.is_fullbright(over) || match.is_fullbright(under);
+        const formats::Rgb mean = blend_colours(palette[over], palette[under], step * (kOpaque256 / kSteps));
+        table[over * 256 + under] = mirror[under * 256 + over] = match(mean, fullbright);
+      }
+  }
+}
+
+const std::uint8_t* BlendTables::table_for(float opacity) const {
+  const int step = (opacity_256(opacity) + kOpaque256 / kSteps / 2) / (kOpaque256 / kSteps);
+  return tables_.data() + static_cast<std::size_t>(std::clamp(step, 1, kSteps - 1) - 1) * kTableSize;
+}
+
+const std::uint8_t* FogTables::rows_for(const math::Vec3& colour, const formats::Palette& palette,
+                                        const PaletteMatch& match) {
+  const formats::Rgb fog = to_bytes(colour);
+  if (colour_ == fog) return rows_.data();
+  colour_ = fog;
+  for (int row = 0; row < kRows; ++row)
+    for (std::size_t index = 0; index < 256; ++index)
+      rows_[static_cast<std::size_t>(row) * 256 + index] =
+          row == 0 || index == kClear
+              ? static_cast<std::uint8_t>(index)
+              : match(blend_colours(fog, palette[index], row * kOpaque256 / (kRows - 1)),
+                      match.is_fullbright(index));
+  return rows_.data();
+}
+
+formats::Rgb to_bytes(const math::Vec3& colour) {
+  const auto channel = [](float value) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
+  };
+  return {channel(colour.r), channel(colour.g), channel(colour.b)};
+}
+
+}  // namespace temblor::render

@@ -1,0 +1,94 @@
+// Translucency and fog for pixels that are palette indices: what lies over what looks like, as tables.
+//
+// A blend of two colours is the palette entry nearest to their mean. Full-bright entries come of full-bright
+// ones only, else light would spring from two dark colours; 255, which stands for "clear" in pictures, never
+// does.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "formats/palette.h"
+#include "math/vec.h"
+#include "render/colour/nearest_colour.h"
+
+namespace temblor::render {
+
+// How both formats weigh what lies over a pixel: in 256ths.
+constexpr int kOpaque256 = 256;
+constexpr int opacity_256(float opacity) {
+  const float bounded = opacity > 0 ? (opacity < 1 ? opacity : 1.0f) : 0.0f;
+  return static_cast<int>(bounded * 256.0f + 0.5f);
+}
+constexpr std::uint8_t blend_channel(int over, int under, int opacity_256) {
+  return static_cast<std::uint8_t>((over * opacity_256 + under * (256 - opacity_256) + 128) >> 8);
+}
+constexpr formats::Rgb blend_colours(formats::Rgb over, formats::Rgb under, int opacity_256) {
+  return {blend_channel(over.r, under.r, opacity_256), blend_channel(over.g, under.g, opacity_256),
+          blend_channel(over.b, under.b, opacity_256)};
+}
+// 0xffRRGGBB, the alpha of both ignored.
+constexpr std::uint32_t blend_rgb(std::uint32_t over, std::uint32_t under, int opacity_256) {
+  std::uint32_t out = 0xff000000u;
+  for (int shift = 0; shift < 24; shift += 8)
+    out |= std::uint32_t{blend_channel(static_cast<int>(over >> shift & 255),
+                                       static_cast<int>(under >> shift & 255), opacity_256)}
+           << shift;
+  return out;
+}
+
+// Vector code looks bytes up four at a time.
+constexpr std::size_t kOverRead = 3;
+
+// The entry that looks most like a colour, under the rule above.
+class PaletteMatch {
+ public:
+  PaletteMatch(const formats::Palette& palette, int first_fullbright);
+
+  // `fullbright`: whether a full-bright entry took part in the colour.
+  std::uint8_t operator()(formats::Rgb colour, bool fullbright) const {
+    return (fullbright ? any_ : lit_)(colour);
+  }
+  bool is_fullbright(std::size_t index) const { return static_cast<int>(index) >= first_fullbright_; }
+
+ private:
+  int first_fullbright_;
+  NearestColour lit_, any_;
+};
+
+// A table for each sixteenth of opacity, 1 to 15: 960 KiB.
+class BlendTables {
+ public:
+  static constexpr int kSteps = 16;
+  BlendTables(const formats::Palette& palette, const PaletteMatch& match);
+
+  // What shows of index `over`, at that opacity, before index `under`: table[over * 256 + under]. The
+  // nearest of the steps; never wholly clear or opaque, which callers need no table for. Three more bytes can
+  // be read behind it.
+  const std::uint8_t* table_for(float opacity) const;
+
+ private:
+  std::vector<std::uint8_t> tables_;  // one after another, and kOverRead bytes
+};
+
+// What fog leaves of each colour, by its share of the pixel: `kRows` rows of 256, row r for r / (kRows - 1).
+// 255 stays: it may stand for "clear". Three more bytes can be read behind the last row.
+class FogTables {
+ public:
+  static constexpr int kRows = 65;
+
+  // `colour`: 0 to 1. Worked out when it is not that of the last call.
+  const std::uint8_t* rows_for(const math::Vec3& colour, const formats::Palette& palette,
+                               const PaletteMatch& match);
+
+ private:
+  std::optional<formats::Rgb> colour_;
+  std::array<std::uint8_t, kRows * 256 + kOverRead> rows_{};
+};
+
+// A colour from 0 to 1 as one of 0 to 255.
+formats::Rgb to_bytes(const math::Vec3& colour);
+
+}  // namespace temblor::render

@@ -1,0 +1,201 @@
+#include "render/surfaces/paint_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/hash.h"
+#include "render/colour/blend_tables.h"
+#include "render/edges/face_outlines.h"
+#include "render/frame.h"
+#include "render/view/model_view.h"
+
+namespace temblor::render {
+
+namespace {
+
+// From the first shade to the last.
+struct Ink {
+  formats::Rgb first, last;
+};
+constexpr std::array<Ink, MarkShapes::kKinds> kInks = {{
+    {{14, 12, 11}, {116, 108, 98}},  // a hole, and dust
+    {{8, 7, 6}, {56, 44, 34}},       // soot
+    {{36, 4, 3}, {88, 13, 9}},       // blood
+}};
+
+formats::Rgb ink_colour(MarkKind kind, float shade) {
+  const Ink& ink = kInks[static_cast<std::size_t>(kind)];
+  return blend_colours(ink.last, ink.first, opacity_256(shade));
+}
+
+// Over half of it is mark: it glows no more.
+bool glows_through(int opacity_256) {
+  return opacity_256 < kOpaque256 / 2;
+}
+
+// Ways along the plane of a face, in units, that move by one texel along one axis and by none along the
+// other.
+struct TexelSteps {
+  math::Vec3d s, t;
+};
+std::optional<TexelSteps> texel_steps(const FacePlacement& placed) {
+  const math::Vec3d s = placed.s_axis - placed.normal * glm::dot(placed.normal, placed.s_axis);
+  const math::Vec3d t = placed.t_axis - placed.normal * glm::dot(placed.normal, placed.t_axis);
+  const double ss = glm::dot(s, s), st = glm::dot(s, t), tt = glm::dot(t, t);
+  const double determinant = ss * tt - st * st;
+  constexpr double kAlongOneLine = 1e-9;
+  if (!(determinant > kAlongOneLine * ss * tt)) return std::nullopt;
+  return TexelSteps{(s * tt - t * st) / determinant, (t * ss - s * st) / determinant};
+}
+
+// Any turn, of length 1.
+math::Vec2d turn_of(std::uint64_t hash) {
+  const double t = static_cast<double>(hash >> 40) * 0x1p-23 - 1;  // tangent of a quarter of the turn
+  const double cosine = (1 - t * t) / (1 + t * t), sine = 2 * t / (1 + t * t);
+  const double sign = (hash & 1) != 0 ? 1 : -1;
+  return {cosine * sign, sine * sign};
+}
+
+// The smallest picture of the shape of which interpolation between texels misses none.
+int shape_level(double texel_size) {
+  constexpr double kLargest = 2;
+  double shape_texels = texel_size * MarkShapes::kSide / 2;
+  int level = 0;
+  for (; level < MarkShapes::kLevels - 1 && shape_texels > kLargest; ++level) shape_texels /= 2;
+  return level;
+}
+
+std::int32_t to_texel(double position, std::int32_t size) {
+  return static_cast<std::int32_t>(std::clamp(position, 0.0, static_cast<double>(size)));
+}
+
+// The placement of one mark on a face, for a block whose first texel is (first_s, first_t) of the face.
+class MarkPlacer {
+ public:
+  MarkPlacer(const FacePlacement& placed, const TexelSteps& steps, math::Vec2d first, int mip,
+             SurfaceShape shape)
+      : placed_(placed), steps_(steps), first_(first), texel_(1 << mip), shape_(shape) {}
+
+  std::optional<PlacedMark> place(const Mark& mark) const {
+    const math::Vec3d position(mark.position_model);
+    const math::Vec3d on_plane =
+        position - placed_.normal * (glm::dot(placed_.normal, position) - placed_.distance);
+    const double s = glm::dot(placed_.s_axis, on_plane) + placed_.s_offset;
+    const double t = glm::dot(placed_.t_axis, on_plane) + placed_.t_offset;
+    const double radius = static_cast<double>(mark.radius);
+    if (!std::isfinite(s) || !std::isfinite(t) || !(radius > 0)) return std::nullopt;
+
+    const math::Vec3d across = glm::normalize(steps_.s);
+    const math::Vec3d along = glm::cross(placed_.normal, across);
+    const std::uint64_t hash = base::mixed_bits(mark.seed + std::uint64_t{1});
+    const math::Vec2d turn = turn_of(hash) / radius;
+    const math::Vec3d u_axis = across * turn.x - along * turn.y, v_axis = across * turn.y + along * turn.x;
+
+    PlacedMark out;
+    out.kind = mark.kind;
+    out.variant = static_cast<int>(hash >> 8 & 0xff) % MarkShapes::kVariants;
+    const math::Vec2d u(glm::dot(u_axis, steps_.s) * texel_, glm::dot(u_axis, steps_.t) * texel_);
+    const math::Vec2d v(glm::dot(v_axis, steps_.s) * texel_, glm::dot(v_axis, steps_.t) * texel_);
+    out.level = shape_level(std::max(glm::length(math::Vec2d(u.x, v.x)), glm::length(math::Vec2d(u.y, v.y))));
+    // From the mark to the middle of the block's first texel, in texels of the block.
+    const math::Vec2d offset((first_.x - s) / texel_ + 0.5, (first_.y - t) / texel_ + 0.5);
+    out.u_first = static_cast<float>(glm::dot(u, offset));
+    out.v_first = static_cast<float>(glm::dot(v, offset));
+    out.u_a_column = static_cast<float>(u.x);
+    out.u_a_row = static_cast<float>(u.y);
+    out.v_a_column = static_cast<float>(v.x);
+    out.v_a_row = static_cast<float>(v.y);
+    // What the largest of a shape's texels may add at its border.
+    const double reach = radius * (1 + std::ldexp(1.0, out.level + 1) / MarkShapes::kSide);
+    const double reach_s = reach * glm::length(placed_.s_axis) / texel_,
+                 reach_t = reach * glm::length(placed_.t_axis) / texel_;
+    out.left = to_texel(-offset.x - reach_s, shape_.width);
+    out.right = to_texel(-offset.x + reach_s + 1, shape_.width);
+    out.top = to_texel(-offset.y - reach_t, shape_.height);
+    out.bottom = to_texel(-offset.y + reach_t + 1, shape_.height);
+    if (out.left >= out.right || out.top >= out.bottom) return std::nullopt;
+    return out;
+  }
+
+ private:
+  const FacePlacement& placed_;
+  const TexelSteps& steps_;
+  const math::Vec2d first_;
+  const double texel_;  // of the block, in texels of mip 0
+  const SurfaceShape shape_;
+};
+
+}  // namespace
+
+MarkLook::MarkLook(const ColourTables& tables)
+    : indices_(std::size_t{MarkShapes::kKinds} * kShades * kOpacities * 256) {
+  const PaletteMatch& match = tables.match;
+  std::uint8_t* out = indices_.data();
+  for (int kind = 0; kind < MarkShapes::kKinds; ++kind)
+    for (int shade = 0; shade < kShades; ++shade) {
+      const formats::Rgb ink =
+          ink_colour(static_cast<MarkKind>(kind), static_cast<float>(shade) / (kShades - 1));
+      for (int step = 0; step < kOpacities; ++step)
+        for (std::size_t index = 0; index < 256; ++index) {
+          const int opacity = step * kOpaque256 / (kOpacities - 1);
+          const bool glows = match.is_fullbright(index) && glows_through(opacity);
+          *out++ = step == 0 ? static_cast<std::uint8_t>(index)
+                             : match(blend_colours(ink, tables.palette[index], opacity), glows);
+        }
+    }
+}
+
+std::uint8_t MarkLook::over(MarkKind kind, MarkTexel texel, std::uint8_t index) const {
+  const int shade = static_cast<int>(texel.shade * (kShades - 1) + 0.5f);
+  const int step = static_cast<int>(texel.opacity * (kOpacities - 1) + 0.5f);
+  const int row = (static_cast<int>(kind) * kShades + shade) * kOpacities + step;
+  return indices_[static_cast<std::size_t>(row) * 256 + index];
+}
+
+std::uint32_t MarkLook::over(MarkKind kind, MarkTexel texel, std::uint32_t under) const {
+  const int opacity = opacity_256(texel.opacity);
+  if (opacity == 0) return under;
+  const bool glows = under >> 24 == 0 && glows_through(opacity);
+  const std::uint32_t blend = blend_rgb(to_rgb(ink_colour(kind, texel.shade)), under, opacity);
+  return glows ? blend & 0xffffffu : blend;
+}
+
+std::span<const PlacedMark> place_marks(const world::Level& level, const world::Face& face,
+                                        std::span<const Mark> marks, int tile_s, int tile_t, int mip,
+                                        SurfaceShape shape, base::Arena& arena) {
+  if (marks.empty()) return {};
+  const FacePlacement placed = place_face(level, face, ModelView{});
+  const std::optional<TexelSteps> steps = texel_steps(placed);
+  if (!steps) return {};
+  const MarkPlacer placer(placed, *steps, {tile_s * kTileTexels, tile_t * kTileTexels}, mip, shape);
+  base::ArenaVector<PlacedMark> out(arena, marks.size());
+  for (const Mark& mark : marks)
+    if (const std::optional<PlacedMark> there = placer.place(mark)) out.push_back(*there);
+  return out.view();
+}
+
+template <typename Texel>
+void paint_marks(const MarkLook& look, std::span<const PlacedMark> marks, std::int32_t y,
+                 std::span<Texel> io_row) {
+  for (const PlacedMark& mark : marks) {
+    if (y < mark.top || y >= mark.bottom) continue;
+    const auto row = static_cast<float>(y);
+    for (std::int32_t x = mark.left; x < mark.right; ++x) {
+      const auto column = static_cast<float>(x);
+      const MarkTexel texel = look.shapes().at(mark.kind, mark.variant, mark.level,
+                                               mark.u_first + column * mark.u_a_column + row * mark.u_a_row,
+                                               mark.v_first + column * mark.v_a_column + row * mark.v_a_row);
+      if (!(texel.opacity > 0)) continue;
+      Texel& under = io_row[static_cast<std::size_t>(x)];
+      under = look.over(mark.kind, texel, under);
+    }
+  }
+}
+
+template void paint_marks(const MarkLook&, std::span<const PlacedMark>, std::int32_t,
+                          std::span<std::uint8_t>);
+template void paint_marks(const MarkLook&, std::span<const PlacedMark>, std::int32_t,
+                          std::span<std::uint32_t>);
+
+}  // namespace temblor::render

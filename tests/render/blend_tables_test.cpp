@@ -1,0 +1,138 @@
+#include "render/colour/blend_tables.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "support/game_data.h"
+
+namespace temblor::render {
+namespace {
+
+constexpr int kFirstFullbright = 224;
+
+formats::Palette random_palette(unsigned seed) {
+  std::mt19937 random(seed);
+  formats::Palette palette;
+  for (formats::Rgb& colour : palette)
+    colour = {static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
+              static_cast<std::uint8_t>(random())};
+  return palette;
+}
+
+int distance(formats::Rgb a, formats::Rgb b) {
+  const int r = a.r - b.r, g = a.g - b.g, blue = a.b - b.b;
+  return r * r + g * g + blue * blue;
+}
+
+// The definition: every entry is tried.
+int nearest_of_all(const formats::Palette& palette, formats::Rgb colour, bool fullbright) {
+  int found = 0;
+  for (int i = 1; i < (fullbright ? 255 : kFirstFullbright); ++i)
+    if (distance(palette[static_cast<std::size_t>(i)], colour) <
+        distance(palette[static_cast<std::size_t>(found)], colour))
+      found = i;
+  return found;
+}
+
+TEST(PaletteMatch, IsTheNearestOfAllThatMayBe) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    formats::Palette palette = random_palette(seed);
+    if (seed == 4) palette.fill({7, 7, 7});  // all as near: the lowest
+    const PaletteMatch match(palette, kFirstFullbright);
+    std::mt19937 random(seed);
+    for (int i = 0; i < 20000; ++i) {
+      const formats::Rgb colour{static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
+                                static_cast<std::uint8_t>(random())};
+      const bool fullbright = random() % 2 == 0;
+      ASSERT_EQ(match(colour, fullbright), nearest_of_all(palette, colour, fullbright))
+          << "seed " << seed << ": " << int{colour.r} << " " << int{colour.g} << " " << int{colour.b};
+    }
+  }
+}
+
+TEST(BlendTables, HoldTheNearestToTheMean) {
+  const formats::Palette palette = random_palette(9);
+  const PaletteMatch match(palette, kFirstFullbright);
+  const BlendTables tables(palette, match);
+  for (int step = 1; step < 16; ++step) {
+    const std::uint8_t* table = tables.table_for(static_cast<float>(step) / 16);
+    for (int i = 0; i < 2000; ++i) {
+      const std::size_t over = static_cast<std::size_t>(i * 7 % 256),
+                        under = static_cast<std::size_t>(i * 89 % 256);
+      const auto mean = [&](int a, int b) {
+        return static_cast<std::uint8_t>((a * step + b * (16 - step) + 8) / 16);
+      };
+      const formats::Rgb a = palette[over], b = palette[under];
+      const bool fullbright = over >= kFirstFullbright || under >= kFirstFullbright;
+      ASSERT_EQ(table[over * 256 + under],
+                nearest_of_all(palette, {mean(a.r, b.r), mean(a.g, b.g), mean(a.b, b.b)}, fullbright))
+          << over << " over " << under << ", step " << step;
+    }
+  }
+}
+
+TEST(BlendTables, TakeTheNearestStep) {
+  const formats::Palette palette = random_palette(5);
+  const BlendTables tables(palette, PaletteMatch(palette, kFirstFullbright));
+  EXPECT_EQ(tables.table_for(0.0f), tables.table_for(1.0f / 16));
+  EXPECT_EQ(tables.table_for(1.0f), tables.table_for(15.0f / 16));
+  EXPECT_EQ(tables.table_for(0.51f), tables.table_for(0.5f));
+  EXPECT_EQ(tables.table_for(0.49f), tables.table_for(0.5f));
+  EXPECT_NE(tables.table_for(0.54f), tables.table_for(0.5f));
+}
+
+// What stands for "clear" elsewhere, and colours that shine in the dark, do not come of others.
+TEST(BlendTables, MakeNoLightOutOfTheDark) {
+  DATA_FOLDER_OR_SKIP(data);
+  const auto palette = formats::read_palette(test::read_file(data / "id1" / "gfx" / "palette.lmp"));
+  ASSERT_TRUE(palette.ok());
+  const BlendTables tables(*palette, PaletteMatch(*palette, kFirstFullbright));
+  for (int step = 1; step < 16; ++step) {
+    const std::uint8_t* table = tables.table_for(static_cast<float>(step) / 16);
+    for (std::size_t over = 0; over < 256; ++over)
+      for (std::size_t under = 0; under < 256; ++under) {
+        const int limit = over >= kFirstFullbright || under >= kFirstFullbright ? 255 : kFirstFullbright;
+        ASSERT_LT(table[over * 256 + under], limit) << over << " over " << under;
+      }
+  }
+}
+
+TEST(BlendChannel, IsTheRoundedMean) {
+  EXPECT_EQ(opacity_256(0.0f), 0);
+  EXPECT_EQ(opacity_256(1.0f), 256);
+  EXPECT_EQ(opacity_256(7.0f), 256);
+  EXPECT_EQ(opacity_256(-1.0f), 0);
+  for (int opacity = 0; opacity <= 256; ++opacity)
+    for (int over = 0; over < 256; over += 5)
+      for (int under = 0; under < 256; under += 5) {
+        const double exact = (over * opacity + under * (256 - opacity)) / 256.0;
+        ASSERT_LE(std::abs(blend_channel(over, under, opacity) - exact), 0.5);
+      }
+  EXPECT_EQ(blend_rgb(0xff804020, 0x00102030, 128), 0xff483028u);
+}
+
+TEST(FogTables, FadeToTheFogAndFollowItsColour) {
+  const formats::Palette palette = random_palette(3);
+  const PaletteMatch match(palette, kFirstFullbright);
+  FogTables fog;
+  for (const math::Vec3 colour : {math::Vec3(0.2f, 0.5f, 0.9f), math::Vec3(1.0f, 0.0f, 0.0f)}) {
+    const std::uint8_t* rows = fog.rows_for(colour, palette, match);
+    const formats::Rgb bytes = to_bytes(colour);
+    for (int row = 0; row < FogTables::kRows; ++row) ASSERT_EQ(rows[row * 256 + 255], 255);
+    for (std::size_t i = 0; i < 255; ++i) {
+      ASSERT_EQ(rows[i], i);
+      const bool fullbright = i >= kFirstFullbright;
+      const auto mean = [](int a, int b) { return static_cast<std::uint8_t>((a + b + 1) / 2); };
+      const formats::Rgb own = palette[i];
+      ASSERT_EQ(rows[32 * 256 + i],
+                nearest_of_all(palette, {mean(own.r, bytes.r), mean(own.g, bytes.g), mean(own.b, bytes.b)},
+                               fullbright));
+      ASSERT_EQ(rows[64 * 256 + i], nearest_of_all(palette, bytes, fullbright));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace temblor::render
