@@ -34,6 +34,7 @@ MeasureOptions measure_options(const BenchOptions& options, const render::Settin
   measure_options.fov_deg = options.frame.fov_deg;
   measure_options.step_deg = options.step_deg;
   measure_options.cold = options.cold;
+  measure_options.relight = options.relight;
   measure_options.settings = settings;
   return measure_options;
 }
@@ -57,6 +58,7 @@ CLI::App* add_bench_command(CLI::App& program, BenchOptions& io_options) {
       ->check(CLI::Range(0.1, 360.0))
       ->capture_default_str();
   command->add_flag("--cold", io_options.cold, "Also times views whose surfaces are still to be built");
+  command->add_flag("--relight", io_options.relight, "Also times views whose light changes");
   CLI::Option* json = command->add_flag("--json", io_options.json,
                                         "Prints one JSON object, or a list of them for several levels");
   command

@@ -18,6 +18,7 @@ struct BenchOptions {
   FrameOptions frame{.size = {1920, 1080}};
   double step_deg = 5;
   bool cold = false;
+  bool relight = false;
   bool json = false;
   bool report = false;
 };

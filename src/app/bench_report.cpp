@@ -37,7 +37,7 @@ MeasureOptions main_options(const render::Settings& settings, render::PixelForma
 void report_format(const LoadedMap& map, const render::Settings& settings, render::PixelFormat format,
                    double step_deg) {
   MeasureOptions options = main_options(settings, format, step_deg);
-  options.cold = true;
+  options.cold = options.relight = true;
   const Measurement one = measure(map, options);
   const std::string name = name_of(format);
   print_row(fmt::format("{}: world view, in floors", name),
@@ -55,9 +55,16 @@ void report_format(const LoadedMap& map, const render::Settings& settings, rende
             fmt::format("median {:.2f}, 99th percentile {:.2f}", one.cold_ms->p50 / one.render_ms.p50,
                         one.cold_ms->p99 / one.render_ms.p50),
             "at most 4");
+  print_row(fmt::format("{}: every surface relit / static, frame rates", name),
+            fmt::format("{:.2f} ({:.2f} ms, {:.2f} ms static; half of the surfaces each frame: {:.2f} ms; "
+                        "a step of the standard light styles: {:.2f} ms, {:.0f} surfaces)",
+                        one.relight->still_ms.p50 / one.relight->relit_ms.p50, one.relight->relit_ms.p50,
+                        one.relight->still_ms.p50, one.relight->alternate_ms.p50,
+                        one.relight->animated_ms.p50, one.relight->animated_surfaces),
+            "at least 0.5");
   print_row(fmt::format("{}: allocations in a warm frame", name), fmt::format("{}", one.most_allocations),
             "0");
-  options.cold = false;
+  options.cold = options.relight = false;
   options.settings.threads = 2;
   const Measurement two = measure(map, options);
   print_row(fmt::format("{}: two threads / one", name),

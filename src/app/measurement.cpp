@@ -31,6 +31,13 @@ std::vector<render::Camera> circle_views(const Viewpoint& viewpoint, float fov_d
   return views;
 }
 
+// Every style at one value.
+struct Lighting {
+  std::uint16_t style_value, style_value_before;
+  std::uint32_t frame_number;
+  bool alternate;
+};
+
 // What is drawn with, kept from pass to pass.
 class Bench {
  public:
@@ -50,8 +57,23 @@ class Bench {
     }
   }
 
-  render::FrameStats draw(const render::Camera& camera) {
-    return renderer_.render(scene_at(level_scene_, camera, 0.0), options_.settings, frame_);
+  render::FrameStats draw(const render::Camera& camera) { return draw(camera, 0.0); }
+  // With the light styles of that time; textures that move stand still.
+  render::FrameStats draw(const render::Camera& camera, double light_time_s) {
+    render::Scene scene = scene_at(level_scene_, camera, 0.0);
+    scene.light_styles = world::light_style_values(level_scene_.light_styles, light_time_s);
+    return renderer_.render(scene, options_.settings, frame_);
+  }
+  render::FrameStats draw_lit(const render::Camera& camera, const Lighting& light) {
+    render::Scene scene = scene_at(level_scene_, camera, 0.0);
+    scene.light_styles.fill(light.style_value);
+    render::SceneLight before;
+    before.light_styles.fill(light.style_value_before);
+    scene.light_before = &before;
+    scene.frame_number = light.frame_number;
+    render::Settings settings = options_.settings;
+    settings.relight_alternate = light.alternate;
+    return renderer_.render(scene, settings, frame_);
   }
   void present_frame() {
     if (window_ != nullptr)
@@ -96,6 +118,59 @@ void measure_cold(Bench& io_bench, Measurement& io_result) {
   io_result.circle_cache_bytes = distribution_of(std::move(circle_bytes));
 }
 
+RelightTimes measure_relight(Bench& io_bench) {
+  constexpr std::size_t kDirections = 4, kFrames = 10;
+  constexpr double kStyleStep_s = 0.1;
+  std::vector<double> still_ms, relit_ms, alternate_ms, animated_ms;
+  RelightTimes result;
+  const auto time_lit = [&](const render::Camera& camera, const Lighting& light) {
+    return time_ms([&] { io_bench.draw_lit(camera, light); });
+  };
+  // Some letters away from 'm', up and down.
+  const auto style_value = [](std::uint32_t frame) {
+    return static_cast<std::uint16_t>(256 + 22 * (frame % 5));
+  };
+  Progress progress("relit places");
+  for (std::size_t place = 0; place < io_bench.circles().size(); ++place) {
+    progress.update(place, io_bench.circles().size());
+    const auto& circle = io_bench.circles()[place];
+    for (std::size_t i = 0; i < kDirections; ++i) {
+      const render::Camera& camera = circle[i * circle.size() / kDirections];
+      const auto lighting = [&](std::uint32_t frame, bool alternate) {
+        return Lighting{style_value(frame), style_value(frame + 4), frame, alternate};
+      };
+      // The first frames of each kind bring their surfaces in.
+      for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+        const double ms = time_lit(camera, lighting(frame, false));
+        const double ms_again = time_lit(camera, lighting(frame, false));
+        if (frame == 0) continue;
+        relit_ms.push_back(ms);
+        still_ms.push_back(ms_again);
+      }
+      for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+        const double ms = time_lit(camera, lighting(frame, true));
+        if (frame > 1) alternate_ms.push_back(ms);
+      }
+      for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+        render::FrameStats stats;
+        const double ms = time_ms([&] { stats = io_bench.draw(camera, frame * kStyleStep_s); });
+        if (frame == 0) continue;
+        animated_ms.push_back(ms);
+        result.animated_surfaces += stats.surfaces_built;
+        result.animated_texels += static_cast<double>(stats.texels_built);
+      }
+    }
+  }
+  const auto frames = static_cast<double>(animated_ms.size());
+  result.animated_surfaces /= frames;
+  result.animated_texels /= frames;
+  result.still_ms = distribution_of(std::move(still_ms));
+  result.relit_ms = distribution_of(std::move(relit_ms));
+  result.alternate_ms = distribution_of(std::move(alternate_ms));
+  result.animated_ms = distribution_of(std::move(animated_ms));
+  return result;
+}
+
 // Draws every view once so that all is warm, then again with the clock running.
 Samples measure_warm(Bench& io_bench, Measurement& io_result) {
   Samples samples;
@@ -135,6 +210,7 @@ Measurement measure(const LoadedMap& map, const MeasureOptions& options) {
   result.options = options;
   result.places = bench.circles().size();
   if (options.cold) measure_cold(bench, result);
+  if (options.relight) result.relight = measure_relight(bench);
   measure_warm(bench, result).summarize(bench.pixels(), result);
   return result;
 }

@@ -21,9 +21,20 @@ struct MeasureOptions {
   FrameSize size{1920, 1080};
   render::PixelFormat format = render::PixelFormat::kRgb;
   float fov_deg = 90;
-  double step_deg = 5;  // from one view of a circle to the next
-  bool cold = false;    // also measure views whose surfaces are all still to be built
+  double step_deg = 5;   // from one view of a circle to the next
+  bool cold = false;     // also measure views whose surfaces are all still to be built
+  bool relight = false;  // and views whose light changes
   render::Settings settings;
+};
+
+// Render times of the same views under light that stays and light that changes.
+struct RelightTimes {
+  Distribution still_ms;
+  Distribution relit_ms;      // all light styles have changed since the frame before
+  Distribution alternate_ms;  // the same with Settings::relight_alternate
+  // The standard light styles, a tenth of a second on: some of the surfaces change.
+  Distribution animated_ms;
+  double animated_surfaces = 0, animated_texels = 0;  // built, means
 };
 
 // Medians over all warm frames unless said otherwise. Milliseconds of wall time.
@@ -41,6 +52,8 @@ struct Measurement {
   Distribution floor_ms;
   // Four views at each place, 90 degrees apart, all surfaces dropped before each; only with options.cold.
   std::optional<Distribution> cold_ms;
+  // Four views at each place, as for cold_ms; only with options.relight.
+  std::optional<RelightTimes> relight;
   // Bytes of surfaces after a whole circle at a place that began with none; only with options.cold.
   std::optional<Distribution> circle_cache_bytes;
   std::array<double, render::kStages> stage_ms{};                // means, so that they add up

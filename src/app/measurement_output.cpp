@@ -51,6 +51,14 @@ std::string describe_measurement(const std::string& name, const Measurement& m) 
   times("present", m.present_ms);
   times("floor", m.floor_ms);
   if (m.cold_ms) times("cold", *m.cold_ms);
+  if (m.relight) {
+    times("light stays", m.relight->still_ms);
+    times("all relit", m.relight->relit_ms);
+    times("alternate", m.relight->alternate_ms);
+    times("animated", m.relight->animated_ms);
+    fmt::format_to(out, "  {:<11}{:>9.1f} surfaces, {:.0f} texels built for a step of the light styles\n", "",
+                   m.relight->animated_surfaces, m.relight->animated_texels);
+  }
   fmt::format_to(out, "  {:<11}{:>9.3f} floors to render, {:.3f} to present\n", "ratio", render_floors(m),
                  present_floors(m));
   for (std::size_t stage = 0; stage < render::kStages; ++stage)
@@ -114,6 +122,11 @@ nlohmann::json json_of(const std::string& name, const Measurement& m) {
     json["particles"] = m.particles.p50;
   }
   if (m.cold_ms) json["cold_ms"] = json_of(*m.cold_ms);
+  if (m.relight)
+    json["relight"] = {
+        {"still_ms", json_of(m.relight->still_ms)},          {"relit_ms", json_of(m.relight->relit_ms)},
+        {"alternate_ms", json_of(m.relight->alternate_ms)},  {"animated_ms", json_of(m.relight->animated_ms)},
+        {"animated_surfaces", m.relight->animated_surfaces}, {"animated_texels", m.relight->animated_texels}};
   if (m.circle_cache_bytes) json["circle_cache_bytes"] = json_of(*m.circle_cache_bytes);
   return json;
 }

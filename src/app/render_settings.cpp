@@ -49,6 +49,8 @@ RenderSettings::RenderSettings(command::Variables& variables) {
                                    "Fills 1/z for every pixel; 0 only to measure what that costs.");
   coloured_light_ = variables.add_bool("r_coloured_light", defaults.coloured_light,
                                        "Uses coloured light (rgb only) where the level has it.");
+  relight_alternate_ = variables.add_bool("r_relight_alternate", defaults.relight_alternate,
+                                          "Relights half of the faces in each frame where light changes.");
   band_rows_ = variables.add_int("r_band_rows", defaults.band_rows, 0, 8192,
                                  "Scan lines in one piece of threaded work; 0: chosen from the size.");
   alias_raster_ =
@@ -77,6 +79,7 @@ render::Settings RenderSettings::read(const command::Variables& variables) const
   settings.use_pvs = variables.bool_value(use_pvs_);
   settings.fill_depth = variables.bool_value(fill_depth_);
   settings.coloured_light = variables.bool_value(coloured_light_);
+  settings.relight_alternate = variables.bool_value(relight_alternate_);
   settings.band_rows = static_cast<int>(variables.int_value(band_rows_));
   settings.alias_raster = static_cast<render::AliasRaster>(variables.choice_value(alias_raster_));
   settings.alias_snap = variables.bool_value(alias_snap_);

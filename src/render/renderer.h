@@ -36,7 +36,10 @@ struct Settings {
   bool coloured_light = true;  // false: grey light also where the level has colours
   AliasRaster alias_raster = AliasRaster::kAuto;
   bool alias_snap = false;  // alias models' vertices at whole pixels and textures affine, as the original
-  int band_rows = 0;        // scan lines a band; 0: chosen from size and threads
+  // Faces of odd and of even number follow changes of light in turn, each every second frame, and show the
+  // light of the frame before in between (Scene::light_before).
+  bool relight_alternate = false;
+  int band_rows = 0;  // scan lines a band; 0: chosen from size and threads
   Show show = Show::kPicture;
   bool operator==(const Settings&) const = default;
 };

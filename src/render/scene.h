@@ -80,6 +80,12 @@ struct DynamicLight {
   math::Vec3 colour{1.0f};  // factors, rgb only
 };
 
+// All that may fall on a lit face, but for what is in the level.
+struct SceneLight {
+  std::span<const DynamicLight> lights{};
+  world::LightStyleValues light_styles = world::light_as_stored();
+};
+
 struct Fog {
   float density = 0;        // 0: none. Light is scaled by exp(-(density * z / 64)^2)
   math::Vec3 colour{0.0f};  // 0 to 1
@@ -128,6 +134,10 @@ struct Scene {
   Tint tint{};
   double time_s = 0;
   world::LightStyleValues light_styles = world::light_as_stored();
+  // For Settings::relight_alternate: this frame's number, and the light of the frame before it. Null: there was
+  // none, and every face shows today's light.
+  std::uint32_t frame_number = 0;
+  const SceneLight* light_before = nullptr;
 };
 
 inline bool has_marks(const Scene& scene) {

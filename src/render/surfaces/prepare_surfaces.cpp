@@ -36,6 +36,7 @@ class Preparation {
         spans_(spans),
         cutouts_(cutouts),
         format_(format),
+        light_now_{scene.lights, scene.light_styles},
         arena_(arena),
         items_(arena.allocate_filled<DrawItem>(table.item_count, DrawItem{})),
         seen_(arena.allocate_filled<PixelSum>(table.item_count, PixelSum{})),
@@ -65,7 +66,7 @@ class Preparation {
     const world::Face& face = level_.face(surface.face);
     const ModelView& model_view = table_.model_views[surface.instance];
     const FacePlacement placed = place_face(level_, face, model_view);
-    touched_[number] = has_surface(face) && is_touched(face, placed);
+    touched_[number] = has_surface(face) && is_touched(surface.face, placed);
     const ScreenPlane depth = depth_plane(view_, placed.normal, placed.distance);
     const ScreenPlane s = coordinate_plane(view_, depth, placed.s_axis, placed.s_offset);
     const ScreenPlane t = coordinate_plane(view_, depth, placed.t_axis, placed.t_offset);
@@ -172,7 +173,7 @@ class Preparation {
     request.contents.texture = item.texture_index;
     request.contents.coloured = shows_colour() && !level_.light_rgb.empty();
     for (std::size_t style = 0; style < face.style_count; ++style)
-      request.contents.style_values[style] = scene_.light_styles[face.styles[style]];
+      request.contents.style_values[style] = light_of(surface.face).light_styles[face.styles[style]];
     if (touched_[base::to_size(item.surface)]) {
       request.lights = lights_on_tile(surface, sample_grid(face, request.tile_s, request.tile_t));
       request.contents.lights = hash_of(request.lights);
@@ -184,11 +185,21 @@ class Preparation {
     return request;
   }
 
+  // Whether a face shows the light of this frame or of the one before depends on numbers alone, never on what
+  // the cache holds.
+  const SceneLight& light_of(world::FaceIndex face) const {
+    if (!settings_.relight_alternate || scene_.light_before == nullptr) return light_now_;
+    const bool in_turn = (static_cast<std::uint32_t>(face) + scene_.frame_number) % 2 == 0;
+    return in_turn ? light_now_ : *scene_.light_before;
+  }
+
   bool shows_colour() const { return format_ == PixelFormat::kRgb && settings_.coloured_light; }
 
-  bool is_touched(const world::Face& face, const FacePlacement& placed) const {
+  bool is_touched(world::FaceIndex number, const FacePlacement& placed) const {
+    const world::Face& face = level_.face(number);
+    const std::span<const DynamicLight> lights = light_of(number).lights;
     const SampleGrid whole{0, 0, face.light_width(), face.light_height()};
-    return std::any_of(scene_.lights.begin(), scene_.lights.end(), [&](const DynamicLight& light) {
+    return std::any_of(lights.begin(), lights.end(), [&](const DynamicLight& light) {
       const std::optional<FaceLight> on_face = light_on_face(light, placed, shows_colour());
       return on_face && reaches(*on_face, whole);
     });
@@ -197,7 +208,7 @@ class Preparation {
     const FacePlacement placed =
         place_face(level_, level_.face(surface.face), table_.model_views[surface.instance]);
     base::ArenaVector<FaceLight> lights(arena_, 4);
-    for (const DynamicLight& light : scene_.lights) {
+    for (const DynamicLight& light : light_of(surface.face).lights) {
       const std::optional<FaceLight> on_face = light_on_face(light, placed, shows_colour());
       if (on_face && reaches(*on_face, tile)) lights.push_back(*on_face);
     }
@@ -280,6 +291,7 @@ class Preparation {
   const SpanTable& spans_;
   const CutoutTextures& cutouts_;
   const PixelFormat format_;
+  const SceneLight light_now_;
   base::Arena& arena_;
   std::span<DrawItem> items_;
   std::span<PixelSum> seen_;  // by item
