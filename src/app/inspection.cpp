@@ -17,10 +17,11 @@ namespace {
 
 using base::ErrorCode;
 
-enum class Format { kBsp, kLit, kEntities, kPak, kPk3, kWad, kPicture, kPalette, kColormap };
+enum class Format { kBsp, kLit, kEntities, kPak, kPk3, kWad, kPicture, kPalette, kColormap, kDem };
 
-constexpr std::array<const char*, 9> kFormatNames = {
-    "level", "coloured light", "entity text", "PAK", "PK3", "WAD2", "picture", "palette", "colormap"};
+constexpr std::array<const char*, 10> kFormatNames = {"level",    "coloured light", "entity text", "PAK",
+                                                      "PK3",      "WAD2",           "picture",     "palette",
+                                                      "colormap", "recording"};
 
 // The formats whose files start with something of their own.
 std::optional<Format> format_of_start(base::Bytes bytes) {
@@ -56,12 +57,13 @@ std::optional<Format> format_of_name(const std::filesystem::path& path, std::siz
     std::string_view text;
     Format format;
   };
-  constexpr std::array<Extension, 6> kExtensions = {{{".bsp", Format::kBsp},
+  constexpr std::array<Extension, 7> kExtensions = {{{".bsp", Format::kBsp},
                                                      {".lit", Format::kLit},
                                                      {".ent", Format::kEntities},
                                                      {".pak", Format::kPak},
                                                      {".pk3", Format::kPk3},
-                                                     {".wad", Format::kWad}}};
+                                                     {".wad", Format::kWad},
+                                                     {".dem", Format::kDem}}};
   for (const Extension& known : kExtensions)
     if (extension == known.text) return known.format;
   return std::nullopt;
@@ -85,6 +87,8 @@ base::Result<Inspection> inspect_bytes(Format format, base::ByteVector bytes) {
       return inspect_palette(bytes);
     case Format::kColormap:
       return inspect_colormap(bytes);
+    case Format::kDem:
+      return inspect_dem(bytes);
     case Format::kPak:
       break;
   }
@@ -112,8 +116,8 @@ base::Result<Inspection> inspect_content(const std::filesystem::path& path, Insp
   }
   if (!format)
     return base::error(ErrorCode::kUnsupported,
-                       "is of no known format; known are levels (.bsp), .lit, .ent, .pak, .pk3, .wad and "
-                       "pictures, palettes and colormaps (.lmp)");
+                       "is of no known format; known are levels (.bsp), .lit, .ent, .pak, .pk3, .wad, "
+                       ".dem, and pictures, palettes and colormaps (.lmp)");
   io_header["format"] = kFormatNames[static_cast<std::size_t>(*format)];
   return *format == Format::kPak ? inspect_pak(path) : inspect_bytes(*format, std::move(bytes));
 }

@@ -28,13 +28,14 @@ class MarkSet {
  public:
   static constexpr std::size_t kMarksAFace = 16;
 
+  // Asks the heap for room at the first mark of a face, and never again for that face.
   void add(world::FaceIndex face, const Mark& mark);
   void clear();
 
   // Oldest first.
   std::span<const Mark> of_face(world::FaceIndex face) const;
-  // Changes whenever the face's marks do; 0 when it has none. No two sets give the same face the same number
-  // for different marks.
+  // A hash of the face's marks, in their order: equal marks have equal revisions, in any set, and different
+  // ones have different revisions but for a chance of 2^-64. 0 when the face has none.
   std::uint64_t revision(world::FaceIndex face) const;
   std::size_t size() const { return size_; }
 

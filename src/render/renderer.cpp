@@ -11,6 +11,10 @@
 #include "render/colour/colour_tables.h"
 #include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
+#include "render/models/draw_alias_models.h"
+#include "render/models/draw_particles.h"
+#include "render/models/draw_sprites.h"
+#include "render/screen/draw_overlay.h"
 #include "render/screen/fog_picture.h"
 #include "render/screen/show.h"
 #include "render/screen/tint_picture.h"
@@ -102,7 +106,7 @@ struct Renderer::State {
   base::JobBackend job_backend{};
   base::Arena arena;
   std::vector<EdgeJobArenas> edge_arenas;
-  std::vector<base::Arena> band_arenas, job_arenas;
+  std::vector<base::Arena> band_arenas, job_arenas, model_arenas;
   std::vector<std::uint8_t> pvs_row;
   std::shared_ptr<const world::LevelIdentity> level;
   LevelTables level_tables;
@@ -173,6 +177,15 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
       prepare_span_sources(scene, settings, view, s.items, s.colour_tables, format, s.skybox, s.arena);
   draw_spans(settings, view, s.spans, sources, s.colour_tables, *s.jobs, io_frame);
   clock.end(Stage::kSpans);
+  if (settings.fill_depth) {  // what follows is tested against it
+    draw_alias_models(scene, settings, view, band_rows, s.colour_tables, *s.jobs, s.arena, s.model_arenas,
+                      io_frame);
+    clock.end(Stage::kModels);
+    draw_sprites(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    clock.end(Stage::kSprites);
+    draw_particles(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    clock.end(Stage::kParticles);
+  }
 
   const FrameFog fog(scene.fog, view.perspective, format, s.colour_tables, s.fog_tables,
                      settings.vector_kernels);
@@ -199,6 +212,10 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   stats.bands = static_cast<std::uint32_t>(s.spans.bands.size());
   count_seen(s.edges, s.spans, s.items, stats);
   return stats;
+}
+
+void Renderer::draw_overlay(const DrawList& list, FrameBuffer& io_frame) const {
+  render::draw_overlay(list, state_->colour_tables, io_frame);
 }
 
 void Renderer::pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_t> out_writes) const {

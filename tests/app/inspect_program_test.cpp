@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
-#include "app/small_game.h"
 #include "formats/entities.h"
 #include "formats/lit.h"
 #include "formats/pak.h"
@@ -14,6 +13,7 @@
 #include "formats/pk3.h"
 #include "formats/wad.h"
 #include "support/game_data.h"
+#include "support/small_game.h"
 
 namespace temblor::test {
 namespace {

@@ -62,6 +62,7 @@ Viewpoint viewpoint_number(const world::Level& level, int number) {
                       .brush_models = shown_brush_models(level),
                       .time_s = random.uniform(0, 100)};
   if (number % 2 == 1) displace(level, viewpoint.brush_models, random);
+  if (number % 3 == 1) viewpoint.lights = random_lights(viewpoint.camera.origin_world, 4, random);
   if (number % 5 == 4) viewpoint.camera.projection = render::Projection::kOrthographic;
   return viewpoint;
 }

@@ -37,8 +37,10 @@ world::FaceIndex face(std::size_t number) {
   return base::to_index<world::FaceIndex>(number);
 }
 
-BlockContents contents(std::uint16_t light, std::size_t texture = 0) {
-  return {.texture = base::to_index<world::TextureIndex>(texture), .style_values = {light, 0, 0, 0}};
+BlockContents contents(std::uint16_t light, std::size_t texture = 0, std::uint64_t dynamic_light = 0) {
+  return {.texture = base::to_index<world::TextureIndex>(texture),
+          .style_values = {light, 0, 0, 0},
+          .lights = dynamic_light};
 }
 
 // Whole cache lines.
@@ -255,6 +257,22 @@ TEST(SurfaceCache, ForgetsEverythingOnAnotherLevelOrFormat) {
   EXPECT_TRUE(is_built(level, 4));
 }
 
+// A light comes, moves, and goes: what it fell on is built for it, and what was there before is there again.
+TEST(SurfaceCache, KeepsWhatDynamicLightFallsOn) {
+  const world::Level level = level_of_faces(1);
+  Frames frames(level, kPlenty);
+  const SurfaceBlock unlit = frames.draw({{0, contents(1)}})[0].block;
+  const Seen lit = frames.draw({{0, contents(1, 0, 7)}})[0];
+  EXPECT_TRUE(lit.built);
+  EXPECT_NE(lit.block.texels, unlit.texels);
+  const Seen moved = frames.draw({{0, contents(1, 0, 8)}})[0];
+  EXPECT_TRUE(moved.built);
+  EXPECT_EQ(moved.block.texels, lit.block.texels) << "light that has moved on leaves nothing behind";
+  const Seen gone = frames.draw({{0, contents(1)}})[0];
+  EXPECT_FALSE(gone.built);
+  EXPECT_EQ(gone.block.texels, unlit.texels);
+}
+
 TEST(SurfaceCache, KeepsNothingWhileItIsOff) {
   const world::Level level = level_of_faces(1);
   SurfaceCache cache;
@@ -293,6 +311,7 @@ class Expectation {
     std::size_t slot, bytes;
     BlockContents contents;
     bool in_frame;
+    std::uint64_t number;  // in the order they were made
   };
   render::CacheCounts counts;
   std::list<Block> blocks;
@@ -304,8 +323,8 @@ class Expectation {
     for (; bytes() > budget_bytes_; ++counts.evictions) blocks.pop_front();
   }
   bool find(std::size_t slot, const BlockContents& wanted) {
-    const auto block = at(slot, wanted.texture);
-    if (block == blocks.end() || block->contents != wanted) return false;
+    const auto block = with(slot, wanted);
+    if (block == blocks.end()) return false;
     counts.hits += !block->in_frame;  // pieces of a face share a block, and count once
     use(block);
     return true;
@@ -316,10 +335,13 @@ class Expectation {
     bool kept;
   };
   bool reserve(std::size_t slot, const BlockContents& wanted, std::size_t bytes_needed, Outcome outcome) {
-    const auto block = at(slot, wanted.texture);
+    if (with(slot, wanted) != blocks.end()) {
+      EXPECT_EQ(outcome.evicted, 0u);
+      return false;
+    }
+    const auto block = stale(slot, wanted);
     if (block != blocks.end()) {
       EXPECT_EQ(outcome.evicted, 0u);
-      if (block->in_frame) return false;
       ++counts.misses;
       block->contents = wanted;
       use(block);
@@ -332,7 +354,7 @@ class Expectation {
       blocks.pop_front();
     }
     if (outcome.kept) {
-      blocks.push_back({slot, bytes_needed, wanted, true});
+      blocks.push_back({slot, bytes_needed, wanted, true, ++blocks_made_});
     } else {
       ++counts.over_budget;
       EXPECT_TRUE(bytes_needed > budget_bytes_ || blocks.empty() || blocks.front().in_frame);
@@ -346,16 +368,27 @@ class Expectation {
   }
 
  private:
-  std::list<Block>::iterator at(std::size_t slot, world::TextureIndex texture) {
-    return std::find_if(blocks.begin(), blocks.end(), [&](const Block& block) {
-      return block.slot == slot && block.contents.texture == texture;
-    });
+  std::list<Block>::iterator with(std::size_t slot, const BlockContents& wanted) {
+    return std::find_if(blocks.begin(), blocks.end(),
+                        [&](const Block& block) { return block.slot == slot && block.contents == wanted; });
+  }
+  // The last one made of those that may be built anew.
+  std::list<Block>::iterator stale(std::size_t slot, const BlockContents& wanted) {
+    auto last = blocks.end();
+    for (auto block = blocks.begin(); block != blocks.end(); ++block) {
+      const bool is_stale = block->slot == slot && !block->in_frame &&
+                            block->contents.texture == wanted.texture &&
+                            (block->contents.lights != 0) == (wanted.lights != 0);
+      if (is_stale && (last == blocks.end() || block->number > last->number)) last = block;
+    }
+    return last;
   }
   void use(std::list<Block>::iterator block) {
     block->in_frame = true;
     blocks.splice(blocks.end(), blocks, block);
   }
   std::size_t budget_bytes_ = 0;
+  std::uint64_t blocks_made_ = 0;
 };
 
 // A lookup, and how its block is known again: every byte of it.
@@ -367,7 +400,7 @@ struct Drawn {
 };
 std::byte mark_of(const Drawn& drawn) {
   return static_cast<std::byte>(drawn.slot * 31 + base::to_size(drawn.contents.texture) * 11 +
-                                drawn.contents.style_values[0] * 7 + 1);
+                                drawn.contents.style_values[0] * 7 + drawn.contents.lights * 5 + 1);
 }
 
 TEST(SurfaceCache, FollowsTheListThroughAnyFrames) {
@@ -385,13 +418,14 @@ TEST(SurfaceCache, FollowsTheListThroughAnyFrames) {
       const std::size_t budget_bytes = random.chance(0.9) ? 40000 * bytes_per_texel : random.below(100000);
       cache.begin_frame(level, bytes_per_texel, budget_bytes, true);
       expected.begin_frame(budget_bytes);
-      // A face's light is one in a frame; its texture is an instance's own.
+      // A face's light styles are one in a frame; its texture and the lights on it are an instance's own.
       std::map<std::size_t, std::uint16_t> lights;
       std::vector<Drawn> wanted(random.below(25)), found, missing;
       for (Drawn& drawn : wanted) {
         drawn.slot = cache.slot(face(random.below(kFaces)), 0, static_cast<int>(random.below(2)));
         const auto light = static_cast<std::uint16_t>(random.below(3) == 0);
-        drawn.contents = contents(lights.try_emplace(drawn.slot, light).first->second, random.below(2));
+        drawn.contents =
+            contents(lights.try_emplace(drawn.slot, light).first->second, random.below(2), random.below(3));
         const auto side = [&] { return static_cast<std::int32_t>(1 + random.below(64)); };
         drawn.shape = shapes.try_emplace(drawn.slot, SurfaceShape{side(), side()}).first->second;
         SurfaceCache::Lookup lookup;

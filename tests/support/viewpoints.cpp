@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 #include <optional>
 
@@ -75,6 +76,7 @@ render::Scene Viewpoint::scene(const world::Level& level) const {
   return {.level = &level,
           .camera = camera,
           .brush_models = brush_models,
+          .lights = lights,
           .time_s = time_s,
           .light_styles = world::light_style_values(world::standard_light_styles(), time_s)};
 }
@@ -119,6 +121,18 @@ render::Camera random_camera(const world::Level& level, Random& io_random) {
   camera.angles_deg = math::Vec3(math::Vec3d(pitch_deg, yaw_deg, roll_deg));
   if (io_random.chance(0.2)) camera.fov_deg = static_cast<float>(io_random.uniform(10, 150));
   return camera;
+}
+
+std::vector<render::DynamicLight> random_lights(const math::Vec3& middle_world, std::size_t most,
+                                                Random& io_random) {
+  std::vector<render::DynamicLight> lights(io_random.below(most + 1));
+  for (render::DynamicLight& light : lights) {
+    light.origin_world = middle_world + io_random.in_cube(200);
+    light.radius = static_cast<float>(io_random.uniform(20, 400));
+    if (io_random.chance(0.5)) light.least = static_cast<float>(io_random.uniform(0, 40));
+    if (io_random.chance(0.5)) light.colour = glm::abs(io_random.in_cube(2));
+  }
+  return lights;
 }
 
 }  // namespace temblor::test

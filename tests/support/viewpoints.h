@@ -12,8 +12,9 @@ namespace temblor::test {
 // Owns what a Scene only refers to.
 struct Viewpoint {
   render::Camera camera;
-  std::vector<render::BrushModelInstance> brush_models;
+  std::vector<render::BrushModelInstance> brush_models = {};
   double time_s = 0;
+  std::vector<render::DynamicLight> lights = {};
 
   // Valid while this and the level live.
   render::Scene scene(const world::Level& level) const;
@@ -32,5 +33,9 @@ void displace(const world::Level& level, std::span<render::BrushModelInstance> i
 // An eye in a random open leaf (each leaf as likely), looking anywhere, mostly level and upright, mostly with
 // a field of view of 90 degrees. CHECKs that the level has an open leaf.
 render::Camera random_camera(const world::Level& level, Random& io_random);
+
+// Up to `most` lights of any colour within 200 units of `middle_world`.
+std::vector<render::DynamicLight> random_lights(const math::Vec3& middle_world, std::size_t most,
+                                                Random& io_random);
 
 }  // namespace temblor::test

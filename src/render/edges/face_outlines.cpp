@@ -42,7 +42,11 @@ world::FaceIndex neighbour_at(const EdgeUsers& users, bool backward) {
 }  // namespace
 
 bool has_surface(const world::Face& face) {
-  return face.kind == world::FaceKind::kLit && face.light != world::kNoLight;
+  // What has samples is bounded by their number; of faces without, a file may hold many of any extent.
+  constexpr std::int32_t kMostExtentInTheDark = 512;
+  return face.kind == world::FaceKind::kLit &&
+         (face.light != world::kNoLight ||
+          std::max(face.texture_extents[0], face.texture_extents[1]) <= kMostExtentInTheDark);
 }
 
 TileGrid tile_grid(const world::Face& face) {

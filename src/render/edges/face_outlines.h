@@ -14,7 +14,8 @@ constexpr int kTileTexels = 256;
 struct TileGrid {
   std::uint16_t s = 1, t = 1;
 };
-// Whether a face is drawn from a surface of its own; if not, from its texture.
+// Whether a face is drawn from a surface of its own; if not, from its texture. Faces without light samples
+// have surfaces too, for dynamic lights to fall on, unless they are wider than any compiler leaves them.
 bool has_surface(const world::Face& face);
 TileGrid tile_grid(const world::Face& face);
 

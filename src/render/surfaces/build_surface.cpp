@@ -6,24 +6,11 @@
 #include "render/edges/edge_table.h"
 #include "render/surfaces/build_kernels.h"
 #include "render/surfaces/cutout_textures.h"
+#include "render/surfaces/light_samples.h"
 
 namespace temblor::render {
 
 namespace {
-
-constexpr std::int32_t kTexelsASample = 16;  // at mip 0
-
-// The part of a face's light map that a tile needs.
-struct TileLight {
-  std::int32_t first_column, first_row, columns, rows;
-};
-
-TileLight tile_light(const world::Face& face, const BlockRequest& request) {
-  const std::int32_t s = request.tile_s * (kTileTexels / kTexelsASample);
-  const std::int32_t t = request.tile_t * (kTileTexels / kTexelsASample);
-  const std::int32_t most = kTileTexels / kTexelsASample + 1;
-  return {s, t, std::min(face.light_width() - s, most), std::min(face.light_height() - t, most)};
-}
 
 // Where a texture that repeats without end is read, row by row.
 class TextureRows {
@@ -72,7 +59,7 @@ class Builder {
         vector_(vector_kernels),
         scratch_(scratch),
         face_(level.face(request.face)),
-        light_(tile_light(face_, request)),
+        grid_(sample_grid(face_, request.tile_s, request.tile_t)),
         drawn_(request.texture != nullptr ? *request.texture : level.texture(request.contents.texture)),
         // Faces start at multiples of 16 texels, so every mip level starts at a whole one.
         texture_(drawn_, request.mip,
@@ -133,51 +120,31 @@ class Builder {
     return scratch_.allocate<Texel>(width() + kBlockPadding);
   }
 
-  // Sums of sample x style value over the face's styles, for the tile's samples, row by row: grey light, or
-  // red, green and blue.
-  std::span<const std::uint32_t> sum_light(std::size_t channels) {
-    const std::vector<std::uint8_t>& light = channels == 3 ? level_.light_rgb : level_.light;
-    const auto samples_a_row = static_cast<std::size_t>(face_.light_width());
-    const std::size_t row_values = columns() * channels;
-    const std::span<std::uint32_t> sums =
-        scratch_.allocate_filled<std::uint32_t>(static_cast<std::size_t>(light_.rows) * row_values, 0);
-    for (std::size_t style = 0; style < face_.style_count; ++style)
-      for (std::size_t row = 0; row < static_cast<std::size_t>(light_.rows); ++row) {
-        const std::size_t sample_row = style * static_cast<std::size_t>(face_.light_height()) +
-                                       static_cast<std::size_t>(light_.first_row) + row;
-        const std::uint8_t* samples = light.data() + (face_.light + sample_row * samples_a_row +
-                                                      static_cast<std::size_t>(light_.first_column)) *
-                                                         channels;
-        for (std::size_t i = 0; i < row_values; ++i)
-          sums[row * row_values + i] += std::uint32_t{samples[i]} * request_.contents.style_values[style];
-      }
-    return sums;
-  }
-
   // What `convert` makes of the light sum, for every sample of the tile, row by row. Of four channels, three
   // are blue, green, red and the last is 0; of one, the grey light.
   // One row more than there is, so that every row of texels has a sample above and below.
   template <typename Convert>
   std::span<const std::int16_t> sum_samples(std::size_t channels, Convert convert) {
-    const std::size_t sum_channels = request_.contents.coloured ? 3 : 1;
-    const std::span<const std::uint32_t> sums = sum_light(sum_channels);
-    const std::size_t count = sums.size() / sum_channels;
+    const LightSums sums =
+        sum_light(level_, face_, grid_,
+                  {request_.contents.style_values, request_.contents.coloured, request_.lights}, scratch_);
+    const std::size_t count = sums.values.size() / sums.channels;
     const std::span<std::int16_t> samples =
         scratch_.allocate_filled<std::int16_t>((count + columns()) * channels, 0);
     for (std::size_t sample = 0; sample < count; ++sample) {
-      const std::uint32_t* sum = &sums[sample * sum_channels];
+      const std::uint32_t* sum = &sums.values[sample * sums.channels];
       std::int16_t* out = &samples[sample * channels];
       if (channels == 1) {
         out[0] = convert(sum[0]);
         continue;
       }
       for (std::size_t channel = 0; channel < 3; ++channel)
-        out[channel] = convert(sum[request_.contents.coloured ? 2 - channel : 0]);
+        out[channel] = convert(sum[sums.channels == 3 ? 2 - channel : 0]);
     }
     return samples;
   }
 
-  std::size_t columns() const { return static_cast<std::size_t>(light_.columns); }
+  std::size_t columns() const { return static_cast<std::size_t>(grid_.columns); }
   std::span<std::int16_t> row_samples(std::size_t channels) {
     return scratch_.allocate_filled<std::int16_t>((columns() + 1) * channels, 0);
   }
@@ -196,7 +163,7 @@ class Builder {
   const bool vector_;
   base::Arena& scratch_;
   const world::Face& face_;
-  const TileLight light_;
+  const SampleGrid grid_;
   const world::Texture& drawn_;
   TextureRows texture_;
 };

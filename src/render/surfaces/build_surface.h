@@ -5,17 +5,19 @@
 //   indexed: t = (65280 - sum) >> 2, at least 64; colormap row = t >> 8 (the original's arithmetic)
 //   rgb, for red, green, blue: h = min(sum, 65280) >> 1, so that 16384 shows a colour as it is, and
 //        channel = min(255, (2 * colour * h + 16384) >> 15)
-// where sum = sample x style value over the face's styles (256: the light as stored). Between two samples a
+// where sum is LightSums' (256: a light of 1). Between two samples a
 // and b, i of n texels along: a + (((b - a) * i * (2048 * 16 / n) + 16384) >> 15), n = 16 >> mip.
 // Full-bright palette entries keep their colour. Clear texels of textures with holes stay clear: 255 in
 // indexed, 0 in rgb, where all others have an alpha of 255.
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "base/arena.h"
 #include "render/colour/colour_tables.h"
 #include "render/frame.h"
+#include "render/surfaces/face_lights.h"
 #include "render/surfaces/surface_block.h"
 #include "render/surfaces/surface_cache.h"
 
@@ -26,6 +28,7 @@ struct BlockRequest {
   std::uint16_t tile_s, tile_t;
   int mip;
   BlockContents contents;
+  std::span<const FaceLight> lights;  // those that contents.lights is the hash of
   SurfaceBlock block;
   const world::Texture* texture = nullptr;  // drawn in place of the level's own; null: that
 };

@@ -3,6 +3,7 @@
 #include "render/surfaces/build_surface.h"
 #include "render/surfaces/choose_mip.h"
 #include "render/surfaces/draw_items.h"
+#include "render/surfaces/light_samples.h"
 
 namespace temblor::render {
 
@@ -37,7 +38,8 @@ class Preparation {
         format_(format),
         arena_(arena),
         items_(arena.allocate_filled<DrawItem>(table.item_count, DrawItem{})),
-        seen_(arena.allocate_filled<PixelSum>(table.item_count, PixelSum{})) {}
+        seen_(arena.allocate_filled<PixelSum>(table.item_count, PixelSum{})),
+        touched_(arena.allocate_filled<bool>(table.surfaces.size(), false)) {}
 
   // Marks what got spans, and sums up where.
   void collect() {
@@ -63,6 +65,7 @@ class Preparation {
     const world::Face& face = level_.face(surface.face);
     const ModelView& model_view = table_.model_views[surface.instance];
     const FacePlacement placed = place_face(level_, face, model_view);
+    touched_[number] = has_surface(face) && is_touched(face, placed);
     const ScreenPlane depth = depth_plane(view_, placed.normal, placed.distance);
     const ScreenPlane s = coordinate_plane(view_, depth, placed.s_axis, placed.s_offset);
     const ScreenPlane t = coordinate_plane(view_, depth, placed.t_axis, placed.t_offset);
@@ -88,21 +91,20 @@ class Preparation {
   // cannot evict them.
   std::span<BlockRequest> request_blocks(SurfaceCache& io_cache, FrameStats& io_stats) {
     base::ArenaVector<BlockRequest> missing(arena_, 256);
-    base::ArenaVector<std::uint32_t> waiting(arena_, 256);
+    base::ArenaVector<ItemRequest> waiting(arena_, 256);
     for (std::uint32_t number = 0; number < items_.size(); ++number) {
       DrawItem& item = items_[number];
       if (item.kind != ItemKind::kSurface) continue;
       const BlockRequest request = request_of(number);
       SurfaceCache::Lookup found;
       if (!io_cache.find(slot_of(io_cache, request), request.contents, found)) {
-        waiting.push_back(number);
+        waiting.push_back({number, request});
         continue;
       }
       item.block = found.block;
       count_use(found, io_stats);
     }
-    for (const std::uint32_t number : waiting) {
-      BlockRequest request = request_of(number);
+    for (auto [number, request] : waiting) {
       const world::Face& face = level_.face(request.face);
       const SurfaceShape shape = surface_shape(face, request.tile_s, request.tile_t, request.mip);
       const SurfaceCache::Lookup room = io_cache.reserve(slot_of(io_cache, request), request.contents, shape);
@@ -119,6 +121,11 @@ class Preparation {
   std::span<DrawItem> items() const { return items_; }
 
  private:
+  struct ItemRequest {
+    std::uint32_t item;
+    BlockRequest request;
+  };
+
   world::TextureIndex texture_of(const ScreenSurface& surface, const world::Face& face) const {
     const int frame = surface.instance == 0 ? 0 : scene_.brush_models[surface.instance - 1].frame;
     return world::animated_texture(level_, face.texture, scene_.time_s, frame);
@@ -159,14 +166,39 @@ class Preparation {
                          item.mip,
                          {},
                          {},
+                         {},
                          item.texture};
     request.contents.texture = item.texture_index;
-    request.contents.coloured =
-        format_ == PixelFormat::kRgb && settings_.coloured_light && !level_.light_rgb.empty();
+    request.contents.coloured = shows_colour() && !level_.light_rgb.empty();
     for (std::size_t style = 0; style < face.style_count; ++style)
       request.contents.style_values[style] = scene_.light_styles[face.styles[style]];
+    if (touched_[base::to_size(item.surface)]) {
+      request.lights = lights_on_tile(surface, sample_grid(face, request.tile_s, request.tile_t));
+      request.contents.lights = hash_of(request.lights);
+    }
     return request;
   }
+
+  bool shows_colour() const { return format_ == PixelFormat::kRgb && settings_.coloured_light; }
+
+  bool is_touched(const world::Face& face, const FacePlacement& placed) const {
+    const SampleGrid whole{0, 0, face.light_width(), face.light_height()};
+    return std::any_of(scene_.lights.begin(), scene_.lights.end(), [&](const DynamicLight& light) {
+      const std::optional<FaceLight> on_face = light_on_face(light, placed, shows_colour());
+      return on_face && reaches(*on_face, whole);
+    });
+  }
+  std::span<const FaceLight> lights_on_tile(const ScreenSurface& surface, const SampleGrid& tile) const {
+    const FacePlacement placed =
+        place_face(level_, level_.face(surface.face), table_.model_views[surface.instance]);
+    base::ArenaVector<FaceLight> lights(arena_, 4);
+    for (const DynamicLight& light : scene_.lights) {
+      const std::optional<FaceLight> on_face = light_on_face(light, placed, shows_colour());
+      if (on_face && reaches(*on_face, tile)) lights.push_back(*on_face);
+    }
+    return lights.view();
+  }
+
   std::size_t slot_of(const SurfaceCache& cache, const BlockRequest& request) const {
     const TileGrid grid = tile_grid(level_.face(request.face));
     return cache.slot(request.face, std::size_t{request.tile_t} * grid.s + request.tile_s, request.mip);
@@ -246,6 +278,7 @@ class Preparation {
   base::Arena& arena_;
   std::span<DrawItem> items_;
   std::span<PixelSum> seen_;  // by item
+  std::span<bool> touched_;   // by surface: whether a dynamic light reaches the face
 };
 
 // One arena for each of `count` jobs.

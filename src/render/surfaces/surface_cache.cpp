@@ -51,17 +51,27 @@ void SurfaceCache::index_level(const world::Level& level) {
   first_of_slot_.assign(slots, kNone);
 }
 
-std::uint32_t SurfaceCache::entry_of(std::size_t slot, world::TextureIndex texture) const {
+std::uint32_t SurfaceCache::entry_with(std::size_t slot, const BlockContents& contents) const {
   std::uint32_t number = first_of_slot_[slot];
-  while (number != kNone && entries_[number].contents.texture != texture)
-    number = entries_[number].next_of_slot;
+  while (number != kNone && entries_[number].contents != contents) number = entries_[number].next_of_slot;
+  return number;
+}
+
+// One that may be built anew: not of this frame, and most likely out of date for good.
+std::uint32_t SurfaceCache::stale_entry(std::size_t slot, const BlockContents& contents) const {
+  const auto is_stale = [&](const Entry& entry) {
+    return entry.used_in_frame != frame_ && entry.contents.texture == contents.texture &&
+           (entry.contents.lights == 0) == (contents.lights == 0);
+  };
+  std::uint32_t number = first_of_slot_[slot];
+  while (number != kNone && !is_stale(entries_[number])) number = entries_[number].next_of_slot;
   return number;
 }
 
 bool SurfaceCache::find(std::size_t slot, const BlockContents& contents, Lookup& out_lookup) {
   if (!enabled_) return false;
-  const std::uint32_t number = entry_of(slot, contents.texture);
-  if (number == kNone || entries_[number].contents != contents) return false;
+  const std::uint32_t number = entry_with(slot, contents);
+  if (number == kNone) return false;
   const bool first_use = entries_[number].used_in_frame != frame_;
   entries_[number].used_in_frame = frame_;
   make_newest(number);
@@ -73,11 +83,12 @@ bool SurfaceCache::find(std::size_t slot, const BlockContents& contents, Lookup&
 SurfaceCache::Lookup SurfaceCache::reserve(std::size_t slot, const BlockContents& contents,
                                            SurfaceShape shape) {
   if (!enabled_) return build_for_frame(shape);
-  std::uint32_t number = entry_of(slot, contents.texture);
-  if (number != kNone && entries_[number].used_in_frame == frame_) {
-    DCHECK(entries_[number].contents == contents);
+  std::uint32_t number = entry_with(slot, contents);
+  if (number != kNone) {
+    DCHECK(entries_[number].used_in_frame == frame_);
     return {block_of(entries_[number]), false, false};
   }
+  number = stale_entry(slot, contents);
   if (number == kNone) {
     const BlockPool::Room room = make_room(bytes_of(shape));
     if (room.begin == nullptr) {

@@ -2,6 +2,10 @@
 // recently used go first. Blocks of the current frame are never evicted; what does not fit beside them lives
 // until the frame's end only.
 //
+// A block stands for what it shows. One that shows something else than is asked for is built anew in its
+// place, when it has the same texture; but blocks with dynamic light on them stand beside those without, so
+// that a light that has gone leaves everything as it was before it came, and nothing to be built.
+//
 // The budget bounds the memory of what is kept, holes between blocks included: room for a block may cost more
 // of the oldest than its size, until what they leave joins. (After the budget itself has shrunk, what was
 // taken before is given back as it becomes empty.)
@@ -19,12 +23,13 @@
 
 namespace temblor::render {
 
-// What a block shows. A face may show several textures in one frame, on several instances of its brush model,
-// and has a block for each; of light it shows one kind in a frame, and a block with another is stale.
+// What a block shows. A face may show several in one frame, on several instances of its brush model: with
+// other textures, or near other lights.
 struct BlockContents {
   world::TextureIndex texture{};
   std::array<std::uint16_t, 4> style_values{};
   bool coloured = false;
+  std::uint64_t lights = 0;  // hash of the dynamic lights on it; 0: none
   bool operator==(const BlockContents&) const = default;
 };
 
@@ -47,7 +52,8 @@ class SurfaceCache {
   };
   // First for all blocks of a frame: the block when it is there and fresh, marked as used.
   bool find(std::size_t slot, const BlockContents& contents, Lookup& out_lookup);
-  // Then for those not found: room for one, to be built unless it was reserved in this frame already.
+  // Then for those not found: room for one, to be built unless it was reserved in this frame already. (One
+  // that is there is found, so it must not be asked for here first.)
   Lookup reserve(std::size_t slot, const BlockContents& contents, SurfaceShape shape);
 
   // A face's slots, one for each tile and mip level.
@@ -65,13 +71,14 @@ class SurfaceCache {
     BlockContents contents;
     std::size_t slot = 0;
     std::uint64_t used_in_frame = 0;
-    std::uint32_t next_of_slot = kNone;  // with another texture
+    std::uint32_t next_of_slot = kNone;  // with other contents
     std::uint32_t older = kNone, newer = kNone;
   };
 
   void index_level(const world::Level& level);
   SurfaceBlock block_of(const Entry& entry) const { return {entry.room.begin, entry.shape}; }
-  std::uint32_t entry_of(std::size_t slot, world::TextureIndex texture) const;
+  std::uint32_t entry_with(std::size_t slot, const BlockContents& contents) const;
+  std::uint32_t stale_entry(std::size_t slot, const BlockContents& contents) const;
   std::size_t bytes_of(SurfaceShape shape) const { return shape.texels() * bytes_per_texel_ + kBlockPadding; }
   BlockPool::Room make_room(std::size_t bytes);
   void make_newest(std::uint32_t entry);

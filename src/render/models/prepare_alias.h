@@ -1,0 +1,22 @@
+// One instance in view, from its poses to triangles on the screen that only need to be filled.
+#pragma once
+
+#include "base/arena.h"
+#include "render/colour/colour_tables.h"
+#include "render/models/place_alias.h"
+#include "render/models/triangle_kernels.h"
+#include "render/renderer.h"
+
+namespace temblor::render {
+
+struct PreparedAlias {
+  TriangleJob job;
+  int first_row, row_end;  // that it may touch
+};
+
+// What is pointed to is the model's, the tables' and the arena's.
+PreparedAlias prepare_alias(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                            const AliasPlacement& placement, const ColourTables& tables, PixelFormat format,
+                            base::Arena& arena);
+
+}  // namespace temblor::render

@@ -1,0 +1,73 @@
+#include "render/surfaces/face_lights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/hash.h"
+
+namespace temblor::render {
+
+namespace {
+
+// Of a texel in the face's plane, along one texture axis. An axis that stands upright on the plane does not
+// move along it.
+float units_a_texel(const math::Vec3d& axis, const math::Vec3d& normal) {
+  constexpr double kShortest = 1e-6;  // texels a unit
+  const double texels_a_unit = glm::length(axis - normal * glm::dot(axis, normal));
+  return texels_a_unit > kShortest ? static_cast<float>(1 / texels_a_unit) : 0.0f;
+}
+
+}  // namespace
+
+std::optional<FaceLight> light_on_face(const DynamicLight& light, const FacePlacement& placed,
+                                       bool coloured) {
+  const math::Vec3d origin(light.origin_world);
+  const double height = glm::dot(placed.normal, origin) - placed.distance;
+  const double at_nearest =
+      std::min(static_cast<double>(light.radius), double{kMostLight}) - std::abs(height);
+  const double reach = at_nearest - std::max(0.0, static_cast<double>(light.least));
+  if (!(reach > 0)) return std::nullopt;
+  const math::Vec3d nearest = origin - placed.normal * height;
+  FaceLight out;
+  out.s = static_cast<float>(glm::dot(placed.s_axis, nearest) + placed.s_offset);
+  out.t = static_cast<float>(glm::dot(placed.t_axis, nearest) + placed.t_offset);
+  out.units_a_s = units_a_texel(placed.s_axis, placed.normal);
+  out.units_a_t = units_a_texel(placed.t_axis, placed.normal);
+  out.at_nearest = static_cast<float>(at_nearest);
+  out.reach = static_cast<float>(reach);
+  for (int channel = 0; channel < 3; ++channel) {
+    const float factor = coloured ? light.colour[channel] : 1.0f;
+    out.colour[static_cast<std::size_t>(channel)] = factor > 0 ? std::min(factor, kMostColour) : 0.0f;
+  }
+  return out;
+}
+
+// The light falls off with each of the two ways, so the sample that is nearest along both decides.
+bool reaches(const FaceLight& light, const SampleGrid& grid) {
+  const auto nearest = [](float at, std::int32_t first, std::int32_t count) {
+    const auto begin = static_cast<float>(first * kTexelsASample);
+    const auto end = static_cast<float>((first + count - 1) * kTexelsASample);
+    return std::clamp(at, begin, end);
+  };
+  const float s = nearest(light.s, grid.first_column, grid.columns);
+  const float t = nearest(light.t, grid.first_row, grid.rows);
+  return distance_on_face(light, s, t) < light.reach;
+}
+
+std::uint64_t hash_of(std::span<const FaceLight> lights) {
+  if (lights.empty()) return 0;
+  std::uint64_t hash = lights.size();
+  const auto add = [&](float a, float b) {
+    hash = base::hash_with(hash, base::bits_of(a) << 32 | base::bits_of(b));
+  };
+  for (const FaceLight& light : lights) {
+    add(light.s, light.t);
+    add(light.units_a_s, light.units_a_t);
+    add(light.at_nearest, light.reach);
+    add(light.colour[0], light.colour[1]);
+    add(light.colour[2], 0);
+  }
+  return hash == 0 ? 1 : hash;
+}
+
+}  // namespace temblor::render

@@ -1,0 +1,82 @@
+#include "render/marks.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <vector>
+
+namespace temblor::render {
+namespace {
+
+constexpr world::FaceIndex kFace{7}, kOther{8};
+
+Mark mark_at(float x, std::uint32_t seed = 1) {
+  return {MarkKind::kBulletHole, {x, 2, 3}, 4, seed};
+}
+
+TEST(Marks, AFaceWithoutMarksHasNone) {
+  const MarkSet set;
+  EXPECT_TRUE(set.of_face(kFace).empty());
+  EXPECT_EQ(set.revision(kFace), 0u);
+  EXPECT_EQ(set.size(), 0u);
+}
+
+TEST(Marks, TheOldestGivesWay) {
+  MarkSet set;
+  const std::size_t added = MarkSet::kMarksAFace + 3;
+  for (std::size_t i = 0; i < added; ++i) set.add(kFace, mark_at(static_cast<float>(i)));
+  set.add(kOther, mark_at(100));
+  ASSERT_EQ(set.of_face(kFace).size(), MarkSet::kMarksAFace);
+  for (std::size_t i = 0; i < MarkSet::kMarksAFace; ++i)
+    EXPECT_EQ(set.of_face(kFace)[i].position_model.x, static_cast<float>(i + 3));
+  EXPECT_EQ(set.of_face(kOther).size(), 1u);
+  EXPECT_EQ(set.size(), MarkSet::kMarksAFace + 1);
+  set.clear();
+  EXPECT_EQ(set.size(), 0u);
+  EXPECT_EQ(set.revision(kFace), 0u);
+}
+
+TEST(Marks, EqualMarksHaveEqualRevisionsInAnySet) {
+  MarkSet one, two;
+  // The second set reaches the same marks by another way: older ones have given way.
+  for (int i = 0; i < 5; ++i) two.add(kFace, mark_at(1000));
+  for (std::size_t i = 0; i < MarkSet::kMarksAFace; ++i) {
+    one.add(kFace, mark_at(static_cast<float>(i)));
+    two.add(kFace, mark_at(static_cast<float>(i)));
+  }
+  EXPECT_EQ(one.revision(kFace), two.revision(kFace));
+  MarkSet positive, negative;
+  positive.add(kFace, mark_at(0.0f));
+  negative.add(kFace, mark_at(-0.0f));
+  EXPECT_EQ(positive.revision(kFace), negative.revision(kFace));
+}
+
+TEST(Marks, EveryPartOfAMarkCounts) {
+  std::vector<std::vector<Mark>> faces;
+  const Mark plain = mark_at(1);
+  faces.push_back({plain});
+  for (int part = 0; part < 6; ++part) {
+    Mark mark = plain;
+    if (part == 0) mark.kind = MarkKind::kScorch;
+    if (part == 1) mark.position_model.x += 1;
+    if (part == 2) mark.position_model.y += 1;
+    if (part == 3) mark.position_model.z += 1;
+    if (part == 4) mark.radius += 1;
+    if (part == 5) mark.seed += 1;
+    faces.push_back({mark});
+    faces.push_back({plain, mark});
+    faces.push_back({mark, plain});
+  }
+  faces.push_back({plain, plain});
+  std::set<std::uint64_t> revisions;
+  for (const std::vector<Mark>& marks : faces) {
+    MarkSet set;
+    for (const Mark& mark : marks) set.add(kFace, mark);
+    revisions.insert(set.revision(kFace));
+  }
+  EXPECT_EQ(revisions.size(), faces.size());
+  EXPECT_FALSE(revisions.contains(0));
+}
+
+}  // namespace
+}  // namespace temblor::render

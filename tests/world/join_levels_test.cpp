@@ -1,0 +1,139 @@
+// A joined level against the levels that it was made from, queried side by side.
+#include "world/join_levels.h"
+
+#include <gtest/gtest.h>
+
+#include "support/random.h"
+#include "world/test_levels.h"
+#include "world/trace.h"
+#include "world/visibility.h"
+
+namespace temblor::world {
+namespace {
+
+// Two levels that differ in every list, the second one coloured if asked.
+struct Joined {
+  TestLevel base, other;
+  JoinedLevel joined;
+  explicit Joined(bool base_coloured, bool other_coloured)
+      : base(small_test_level({.coloured_light = base_coloured})),
+        other(small_test_level({.coloured_light = other_coloured})) {
+    const std::shared_ptr<const Level> others[] = {other.level, base.level, other.level};
+    joined = join_levels(base.level, others);
+  }
+};
+
+std::vector<math::Vec3> corners_of(const Level& level, const Face& face) {
+  std::vector<math::Vec3> corners;
+  for (std::uint32_t i = 0; i < face.surfedge_count; ++i)
+    corners.push_back(level.vertices[level.surfedge_start(face.first_surfedge + i)]);
+  return corners;
+}
+
+std::vector<int> light_of(const Level& level, const Face& face) {
+  std::vector<int> light;
+  if (face.light == kNoLight) return light;
+  const auto samples = static_cast<std::size_t>(face.light_width() * face.light_height()) * face.style_count;
+  for (std::size_t i = face.light; i < face.light + samples; ++i) {
+    light.push_back(level.light[i]);
+    if (!level.light_rgb.empty())
+      for (std::size_t channel = 0; channel < 3; ++channel) light.push_back(level.light_rgb[i * 3 + channel]);
+  }
+  return light;
+}
+
+void expect_same_face(const Level& from, const Face& a, const Level& to, const Face& b) {
+  EXPECT_EQ(corners_of(from, a), corners_of(to, b));
+  EXPECT_EQ(from.planes[a.plane].normal, to.planes[b.plane].normal);
+  EXPECT_EQ(from.planes[a.plane].distance, to.planes[b.plane].distance);
+  EXPECT_EQ(from.texture_axes[a.axes].s_axis, to.texture_axes[b.axes].s_axis);
+  EXPECT_EQ(from.texture_axes[a.axes].t_offset, to.texture_axes[b.axes].t_offset);
+  EXPECT_EQ(from.texture(a.texture).name, to.texture(b.texture).name);
+  EXPECT_EQ(from.texture(a.texture).mips, to.texture(b.texture).mips);
+  ASSERT_EQ(from.texture(a.texture).frames.size(), to.texture(b.texture).frames.size());
+  for (std::size_t i = 0; i < from.texture(a.texture).frames.size(); ++i)
+    EXPECT_EQ(from.texture(from.texture(a.texture).frames[i]).name,
+              to.texture(to.texture(b.texture).frames[i]).name);
+}
+
+void expect_same_model(const Level& from, ModelIndex a, const Level& to, ModelIndex b) {
+  const Model& model_a = from.models[base::to_size(a)];
+  const Model& model_b = to.models[base::to_size(b)];
+  ASSERT_EQ(model_a.face_count, model_b.face_count);
+  for (std::uint32_t i = 0; i < model_a.face_count; ++i)
+    expect_same_face(from, from.faces[model_a.first_face + i], to, to.faces[model_b.first_face + i]);
+
+  test::Random random(7);
+  for (int i = 0; i < 300; ++i) {
+    const math::Vec3 start = random.in_cube(300), end = random.in_cube(300);
+    for (const Hull hull : {Hull::kPoint, Hull::kPlayer}) {
+      const Trace in_a = trace_line(from, a, hull, start, end), in_b = trace_line(to, b, hull, start, end);
+      ASSERT_EQ(in_a.fraction, in_b.fraction);
+      ASSERT_EQ(in_a.plane_normal, in_b.plane_normal);
+      ASSERT_EQ(hull_contents(from, a, hull, start), hull_contents(to, b, hull, start));
+    }
+  }
+}
+
+TEST(JoinLevels, EveryModelIsAsItWas) {
+  for (const auto& [base_coloured, other_coloured] : {std::pair(false, false), std::pair(true, true)}) {
+    const Joined levels(base_coloured, other_coloured);
+    const Level& joined = *levels.joined.level;
+    const Level* sources[] = {levels.other.level.get(), levels.base.level.get(), levels.other.level.get()};
+    for (std::uint32_t i = 0; i < levels.base.level->models.size(); ++i)
+      expect_same_model(*levels.base.level, ModelIndex{i}, joined, ModelIndex{i});
+    ASSERT_EQ(levels.joined.models.size(), std::size(sources));
+    for (std::size_t other = 0; other < std::size(sources); ++other)
+      for (std::uint32_t i = 0; i < sources[other]->models.size(); ++i)
+        expect_same_model(*sources[other], ModelIndex{i}, joined,
+                          base::to_index<ModelIndex>(base::to_size(levels.joined.models[other]) + i));
+  }
+}
+
+TEST(JoinLevels, LightIsKeptAndGreyLightIsColouredGreyWhereOthersHaveColour) {
+  for (const bool base_coloured : {false, true}) {
+    const Joined levels(base_coloured, !base_coloured);
+    const Level& joined = *levels.joined.level;
+    ASSERT_EQ(joined.light_rgb.size(), joined.light.size() * 3);
+    const Level& grey = base_coloured ? *levels.other.level : *levels.base.level;
+    const Level& coloured = base_coloured ? *levels.base.level : *levels.other.level;
+    const std::size_t grey_faces =
+        base_coloured ? joined.models[base::to_size(levels.joined.models[0])].first_face : 0;
+    const std::size_t coloured_faces =
+        base_coloured ? 0 : joined.models[base::to_size(levels.joined.models[0])].first_face;
+    for (std::size_t i = 0; i < coloured.faces.size(); ++i)
+      EXPECT_EQ(light_of(coloured, coloured.faces[i]), light_of(joined, joined.faces[coloured_faces + i]));
+    for (std::size_t i = 0; i < grey.faces.size(); ++i) {
+      const std::vector<int> as_grey = light_of(grey, grey.faces[i]);
+      const std::vector<int> as_rgb = light_of(joined, joined.faces[grey_faces + i]);
+      ASSERT_EQ(as_rgb.size(), as_grey.size() * 4);
+      for (std::size_t k = 0; k < as_rgb.size(); ++k) EXPECT_EQ(as_rgb[k], as_grey[k / 4]);
+    }
+  }
+}
+
+TEST(JoinLevels, ThePlayersLevelStaysTheBase) {
+  const Joined levels(true, false);
+  const Level& joined = *levels.joined.level;
+  const Level& base = *levels.base.level;
+  EXPECT_NE(joined.identity, base.identity);
+  EXPECT_EQ(joined.entities, base.entities);
+  EXPECT_EQ(joined.visible_leaf_count, base.visible_leaf_count);
+  test::Random random(3);
+  std::vector<std::uint8_t> row_of_base, row_of_joined;
+  for (int i = 0; i < 300; ++i) {
+    const math::Vec3 point = random.in_cube(300);
+    ASSERT_EQ(find_leaf(joined, point), find_leaf(base, point));
+    decompress_pvs(base, find_leaf(base, point), row_of_base);
+    decompress_pvs(joined, find_leaf(base, point), row_of_joined);
+    ASSERT_EQ(row_of_base, row_of_joined);
+  }
+}
+
+TEST(JoinLevels, WithoutOthersTheLevelIsTheSame) {
+  const TestLevel level = small_test_level();
+  EXPECT_EQ(join_levels(level.level, {}).level, level.level);
+}
+
+}  // namespace
+}  // namespace temblor::world
