@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-
 namespace temblor::test {
 
 ReferencePicture reference_picture(const render::Camera& camera, int width, int height) {

@@ -195,13 +195,18 @@ void draw_affine_triangle(const TriangleJob& job, std::size_t number, const Tria
   order(top, middle);
 
   static_assert(kSubpixels == 1 << 8);
-  const auto row_below = [](std::int32_t y) { return (y + (kSubpixels - 1)) >> 8; };
+  const auto first_pixel = [](std::int32_t y) { return (y + (kSubpixels - 1)) >> 8; };
   const auto inside = [&](std::int32_t row) {
     return row < target.row_begin ? target.row_begin : row > target.row_end ? target.row_end : row;
   };
-  const std::int32_t first = inside(row_below(top->y)), last = inside(row_below(bottom->y));
+  const std::int32_t first = inside(first_pixel(top->y)), last = inside(first_pixel(bottom->y));
   if (first >= last) return;
-  const std::int32_t turn = inside(row_below(middle->y));
+  const auto least = [](std::int32_t a, std::int32_t b) { return a < b ? a : b; };
+  const auto most = [](std::int32_t a, std::int32_t b) { return a < b ? b : a; };
+  const std::int32_t left = least(least(corner[0]->x, corner[1]->x), corner[2]->x);
+  const std::int32_t right = most(most(corner[0]->x, corner[1]->x), corner[2]->x);
+  if (first_pixel(left) >= first_pixel(right)) return;
+  const std::int32_t turn = inside(first_pixel(middle->y));
 
   const TexelPoint* const texel[3] = {job.texels + index[0], job.texels + index[1], job.texels + index[2]};
   const TriangleGradients gradients = triangle_gradients(corner, texel, static_cast<double>(cross),
@@ -211,8 +216,8 @@ void draw_affine_triangle(const TriangleJob& job, std::size_t number, const Tria
   const auto draw_rows = [&](std::int32_t begin, std::int32_t end, EdgeColumns part) {
     for (std::int32_t y = begin; y < end; ++y) {
       const std::int32_t a = whole.next(width), b = part.next(width);
-      const std::int32_t left = middle_is_right ? a : b, right = middle_is_right ? b : a;
-      if (left < right) draw_run(run_at(gradients, left, y, right - left));
+      const std::int32_t begin_x = middle_is_right ? a : b, end_x = middle_is_right ? b : a;
+      if (begin_x < end_x) draw_run(run_at(gradients, begin_x, y, end_x - begin_x));
     }
   };
   if (first < turn) draw_rows(first, turn, EdgeColumns(*top, *middle, first));

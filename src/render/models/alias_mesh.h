@@ -44,6 +44,7 @@ struct AliasModel {
   std::size_t vertices_a_row = 0;  // vertex_count, rounded up to kRowMultiple
   std::vector<TexelPoint> texels;  // by vertex: middles of texels, inside the skin
   std::vector<MeshTriangle> triangles;
+  float mean_side = 0;              // of the triangles, in units, in the first pose
   std::vector<std::uint8_t> poses;  // pose by pose, as PoseBytes has it
   std::vector<AnimatedMembers> frames;
 

@@ -90,6 +90,18 @@ math::Bounds bounds_of_poses(const AliasModel& model) {
   return {glm::min(a, b), glm::max(a, b)};
 }
 
+float mean_side(const AliasModel& model) {
+  const PoseBytes pose = model.pose(PoseIndex{0});
+  const auto position = [&](std::uint32_t i) {
+    return math::Vec3d(pose.x[i], pose.y[i], pose.z[i]) * math::Vec3d(model.scale);
+  };
+  double sum = 0;
+  for (const MeshTriangle& triangle : model.triangles)
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      sum += glm::distance(position(triangle[corner]), position(triangle[(corner + 1) % 3]));
+  return static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(1, model.triangles.size() * 3)));
+}
+
 std::uint32_t member_at(const AnimatedMembers& members, double time_s) {
   const std::size_t member = formats::group_member_at(members.end_times_s, time_s);
   return members.first + static_cast<std::uint32_t>(std::min<std::size_t>(member, members.count - 1));
@@ -102,7 +114,9 @@ const AnimatedMembers& numbered(const std::vector<AnimatedMembers>& all, std::ui
 }  // namespace
 
 std::shared_ptr<const AliasModel> make_alias_model(const formats::Mdl& mdl, std::string name) {
-  CHECK(!mdl.frames.empty() && !mdl.skins.empty() && !mdl.texels.empty(), "{}", name);
+  CHECK(mdl.skin_width > 0 && mdl.skin_height > 0 && !mdl.frames.empty() && !mdl.skins.empty() &&
+            !mdl.texels.empty(),
+        "{}", name);
   auto model = std::make_shared<AliasModel>();
   model->name = std::move(name);
   model->flags = mdl.flags;
@@ -125,6 +139,7 @@ std::shared_ptr<const AliasModel> make_alias_model(const formats::Mdl& mdl, std:
     for (const formats::MdlPose& pose : frame.poses) append_pose(pose, splitter.sources(), *model);
   }
   model->bounds = bounds_of_poses(*model);
+  model->mean_side = mean_side(*model);
 
   std::uint32_t picture_count = 0;
   for (const formats::MdlSkin& skin : mdl.skins) {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "render/models/prepare_alias.h"
+#include "render/models/fill_alias.h"
 
 namespace temblor::render {
 
@@ -42,13 +42,6 @@ std::span<const PreparedAlias> prepare_all(const Scene& scene, const Settings& s
   return prepared;
 }
 
-void fill(const PreparedAlias& alias, PixelFormat format, const TriangleTarget& target) {
-  if (format == PixelFormat::kIndexed)
-    draw_triangles_u8_plain(alias.job, target);
-  else
-    draw_triangles_u32_plain(alias.job, target);
-}
-
 }  // namespace
 
 void draw_alias_models(const Scene& scene, const Settings& settings, const ViewFrame& view, int band_rows,
@@ -68,9 +61,9 @@ void draw_alias_models(const Scene& scene, const Settings& settings, const ViewF
   jobs.parallel_for(static_cast<std::size_t>(bands), [&](std::size_t band) {
     const int begin = static_cast<int>(band) * rows, end = std::min(begin + rows, io_frame.height());
     for (const PreparedAlias& alias : prepared) {
-      const TriangleTarget target{pixels, io_frame.depth().data(), io_frame.width(),
-                                  std::max(begin, alias.first_row), std::min(end, alias.row_end)};
-      if (target.row_begin < target.row_end) fill(alias, format, target);
+      const TriangleTarget target{pixels, io_frame.depth().data(),          io_frame.width(),
+                                  0,      std::max(begin, alias.first_row), std::min(end, alias.row_end)};
+      if (target.row_begin < target.row_end) fill_alias(alias, format, settings.vector_kernels, target);
     }
   });
 }

@@ -105,8 +105,8 @@ void set_to_view(const AliasModel& model, const Affine& to_view, AliasPlacement&
   }
 }
 
-int to_row(double y, int height) {
-  return static_cast<int>(std::clamp(y, 0.0, static_cast<double>(height)));
+int inside(double pixels, int size) {
+  return static_cast<int>(std::clamp(pixels, 0.0, static_cast<double>(size)));
 }
 
 }  // namespace
@@ -138,9 +138,15 @@ std::optional<AliasPlacement> place_alias(const ViewFrame& view, const AliasInst
   placement.needs_clipping = crosses_near || beyond_guard;
   placement.inside_screen = !placement.needs_clipping && box.mins.x >= 1 && box.mins.y >= 1 &&
                             box.maxs.x <= view.width - 2 && box.maxs.y <= view.height - 2;
-  // A vertex may be rounded out of the box by a hundredth of a pixel.
-  placement.first_row = crosses_near ? 0 : to_row(box.mins.y - 1, view.height);
-  placement.row_end = crosses_near ? view.height : to_row(box.maxs.y + 2, view.height);
+  placement.row_end = view.height;
+  placement.column_end = view.width;
+  if (!crosses_near) {
+    // A vertex may be rounded out of the box by a hundredth of a pixel.
+    placement.first_row = inside(box.mins.y - 1, view.height);
+    placement.row_end = inside(box.maxs.y + 2, view.height);
+    placement.first_column = inside(box.mins.x - 1, view.width);
+    placement.column_end = inside(box.maxs.x + 2, view.width);
+  }
   placement.largest_pixels_per_unit =
       placement.perspective ? placement.pixels_per_unit / std::max(box.least_z, double{placement.near_z})
                             : placement.pixels_per_unit;

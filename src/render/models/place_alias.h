@@ -28,8 +28,9 @@ struct AliasPlacement {
   bool perspective;
   // Some vertex may be too near or too far to the side to be projected: triangles have to be clipped.
   bool needs_clipping;
-  bool inside_screen;              // all of the box is
-  int first_row, row_end;          // that the box touches, within the picture
+  bool inside_screen;  // all of the box is
+  // What the box touches, within the picture.
+  int first_row, row_end, first_column, column_end;
   double largest_pixels_per_unit;  // at the box's nearest point
 };
 

@@ -42,6 +42,14 @@ VertexJob vertex_job(const ViewFrame& view, const AliasPlacement& placement, std
   return job;
 }
 
+// Vertices have to lie within the picture; those of a model whose box does are.
+bool chooses_subdivision(const Settings& settings, const AliasPlacement& placement) {
+  if (!placement.inside_screen || settings.alias_raster == AliasRaster::kAffine) return false;
+  if (settings.alias_raster == AliasRaster::kSubdivision) return true;
+  const double units = double{placement.instance->model->mean_side} * placement.instance->scale;
+  return units * placement.largest_pixels_per_unit < kSubdivisionSidePx;
+}
+
 }  // namespace
 
 PreparedAlias prepare_alias(const Scene& scene, const Settings& settings, const ViewFrame& view,
@@ -70,10 +78,12 @@ PreparedAlias prepare_alias(const Scene& scene, const Settings& settings, const 
   PreparedAlias prepared{};
   prepared.first_row = placement.first_row;
   prepared.row_end = placement.row_end;
+  prepared.by_subdivision = chooses_subdivision(settings, placement);
   TriangleJob& job = prepared.job;
   job.vertices = drawn.vertices.data();
   job.texels = drawn.texels.data();
   job.triangles = drawn.triangles.empty() ? nullptr : drawn.triangles.front().data();
+  job.vertex_count = drawn.vertices.size();
   job.triangle_count = drawn.triangles.size();
   job.skin = model.skin_picture(instance.skin);
   job.skin_width = static_cast<std::int32_t>(model.skin_width);

@@ -9,8 +9,13 @@
 
 namespace temblor::render {
 
+// Below so many pixels from end to end, a model's triangles are drawn by subdivision where the rasterizer is
+// chosen by size: the mean length of their sides, at the nearest point of the model's box.
+constexpr double kSubdivisionSidePx = 1.0;
+
 struct PreparedAlias {
   TriangleJob job;
+  bool by_subdivision;
   int first_row, row_end;  // that it may touch
 };
 

@@ -17,7 +17,7 @@ struct TriangleJob {
   const ScreenVertex* vertices;
   const TexelPoint* texels;        // by vertex
   const std::uint32_t* triangles;  // three vertices each, clockwise seen from the front
-  std::size_t triangle_count;
+  std::size_t vertex_count, triangle_count;
   const std::uint8_t* skin;  // palette indices; rows follow one another
   std::int32_t skin_width, skin_height;
   // Bytes: 64 rows of 256, which `light` >> 8 chooses from. 32-bit colours: 256, 0xffRRGGBB, alpha 0: not
@@ -27,11 +27,12 @@ struct TriangleJob {
   bool perspective;      // false: affine whatever the triangle's size
 };
 
-// Rows from row_begin to row_end are drawn, of `width` pixels each.
+// Rows of `width` pixels; the first one in memory is `first_row` of the picture. What lies from row_begin to
+// row_end is drawn.
 struct TriangleTarget {
   void* pixels;
   float* depth;
-  std::int32_t width, row_begin, row_end;
+  std::int32_t width, first_row, row_begin, row_end;
 };
 
 // A triangle whose corners' nearness differs so much that texels between them would be out of place by more
@@ -40,7 +41,16 @@ constexpr float kAffineErrorTexels = 0.5f;
 constexpr float kBrightestLight = 32640.0f;  // 32-bit colours
 constexpr float kDarkestRow = 16383.0f;      // bytes
 
+// Scan line by scan line (affine_triangle.h).
 void draw_triangles_u8_plain(const TriangleJob& job, const TriangleTarget& target);
 void draw_triangles_u32_plain(const TriangleJob& job, const TriangleTarget& target);
+// These may read three bytes past the skin and the colours.
+void draw_triangles_u8_vector(const TriangleJob& job, const TriangleTarget& target);
+void draw_triangles_u32_vector(const TriangleJob& job, const TriangleTarget& target);
+
+// By recursive subdivision (subdivide_triangles.cpp). All vertices lie inside the target's columns, and
+// whole pixels inside int16.
+void subdivide_triangles_u8(const TriangleJob& job, const TriangleTarget& target);
+void subdivide_triangles_u32(const TriangleJob& job, const TriangleTarget& target);
 
 }  // namespace temblor::render

@@ -8,8 +8,9 @@ template <typename Pixel>
 void draw_triangles(const TriangleJob& job, const TriangleTarget& target) {
   for (std::size_t number = 0; number < job.triangle_count; ++number)
     draw_affine_triangle(job, number, target, [&](const TriangleRun& run) {
-      const std::size_t first = static_cast<std::size_t>(run.y) * static_cast<std::size_t>(target.width) +
-                                static_cast<std::size_t>(run.x);
+      const std::size_t first =
+          static_cast<std::size_t>(run.y - target.first_row) * static_cast<std::size_t>(target.width) +
+          static_cast<std::size_t>(run.x);
       Pixel* const pixels = static_cast<Pixel*>(target.pixels) + first;
       float* const nearest = target.depth + first;
       for (std::int32_t i = 0; i < run.count; ++i) {
