@@ -30,7 +30,7 @@ PaletteMatch::PaletteMatch(const formats::Palette& palette, int first_fullbright
 // What a lies over b at n sixteenths is what b lies over a at 16 - n: half of the tables are the others,
 // mirrored.
 BlendTables::BlendTables(const formats::Palette& palette, const PaletteMatch& match)
-    : tables_((kSteps - 1) * kTableSize + kOverRead) {
+    : tables_((kSteps - 1) * kTableSize) {
   for (int step = 1; step <= kSteps / 2; ++step) {
     std::uint8_t* const table = tables_.data() + static_cast<std::size_t>(step - 1) * kTableSize;
     std::uint8_t* const mirror = tables_.data() + static_cast<std::size_t>(kSteps - step - 1) * kTableSize;

@@ -39,9 +39,6 @@ constexpr std::uint32_t blend_rgb(std::uint32_t over, std::uint32_t under, int o
   return out;
 }
 
-// Vector code looks bytes up four at a time.
-constexpr std::size_t kOverRead = 3;
-
 // The entry that looks most like a colour, under the rule above.
 class PaletteMatch {
  public:
@@ -65,16 +62,15 @@ class BlendTables {
   BlendTables(const formats::Palette& palette, const PaletteMatch& match);
 
   // What shows of index `over`, at that opacity, before index `under`: table[over * 256 + under]. The
-  // nearest of the steps; never wholly clear or opaque, which callers need no table for. Three more bytes can
-  // be read behind it.
+  // nearest of the steps; never wholly clear or opaque, which callers need no table for.
   const std::uint8_t* table_for(float opacity) const;
 
  private:
-  std::vector<std::uint8_t> tables_;  // one after another, and kOverRead bytes
+  std::vector<std::uint8_t> tables_;  // one after another
 };
 
 // What fog leaves of each colour, by its share of the pixel: `kRows` rows of 256, row r for r / (kRows - 1).
-// 255 stays: it may stand for "clear". Three more bytes can be read behind the last row.
+// 255 stays: it may stand for "clear".
 class FogTables {
  public:
   static constexpr int kRows = 65;
@@ -85,7 +81,7 @@ class FogTables {
 
  private:
   std::optional<formats::Rgb> colour_;
-  std::array<std::uint8_t, kRows * 256 + kOverRead> rows_{};
+  std::array<std::uint8_t, kRows * 256> rows_{};
 };
 
 // A colour from 0 to 1 as one of 0 to 255.

@@ -28,12 +28,11 @@ struct FogRow {
   float sky, sky_step;
   std::int32_t sky_share;
   std::uint32_t colour;      // rgb
-  const std::uint8_t* rows;  // indexed: FogTables; three bytes more can be read
+  const std::uint8_t* rows;  // indexed: FogTables
 };
 
-// From pixel `first` on.
-void fog_row_u8_plain(const FogRow& row, std::int32_t first = 0);
-void fog_row_u32_plain(const FogRow& row, std::int32_t first = 0);
+void fog_row_u8_plain(const FogRow& row);
+void fog_row_u32_plain(const FogRow& row);
 void fog_row_u8_vector(const FogRow& row);
 void fog_row_u32_vector(const FogRow& row);
 

@@ -1,5 +1,7 @@
 #include "render/screen/fog_picture.h"
 
+#include <algorithm>
+
 namespace temblor::render {
 
 namespace {
@@ -22,17 +24,26 @@ void fog_run(const FrameFog& fog, const DrawItem& item, const SpanRun& run, Fram
 
 }  // namespace
 
-// Runs of all but late items cover each pixel once.
+// Runs of all but late items cover each pixel once. Without sky it is the rows that they fill.
 void fog_picture(const FrameFog& fog, const SpanTable& spans, const DrawItems& items, base::Jobs& jobs,
                  FrameBuffer& io_frame) {
   if (!fog.is_on()) return;
   jobs.parallel_for(spans.bands.size(), [&](std::size_t number) {
     const Band& band = spans.bands[number];
-    for (std::size_t position = 0; position < band.items.size(); ++position) {
-      if (band.items[position] >= items.first_late) break;
-      for (const SpanRun& run : band.runs_at(position))
-        fog_run(fog, items.items[band.items[position]], run, io_frame);
+    const auto listed = band.items.first(static_cast<std::size_t>(
+        std::lower_bound(band.items.begin(), band.items.end(), items.first_late) - band.items.begin()));
+    const bool has_sky = std::any_of(listed.begin(), listed.end(), [&](std::uint32_t item) {
+      return items.items[item].kind == ItemKind::kSky;
+    });
+    if (!has_sky) {
+      const auto width = static_cast<std::uint16_t>(io_frame.width());
+      for (int row = band.first_row; row < band.first_row + band.row_count; ++row)
+        fog_run(fog, DrawItem{}, {0, static_cast<std::uint16_t>(row), width}, io_frame);
+      return;
     }
+    for (std::size_t position = 0; position < listed.size(); ++position)
+      for (const SpanRun& run : band.runs_at(position))
+        fog_run(fog, items.items[listed[position]], run, io_frame);
   });
 }
 

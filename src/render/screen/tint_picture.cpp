@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "render/screen/tint_kernels.h"
 
@@ -19,6 +20,19 @@ Remap tint_palette(formats::Rgb tint, int opacity, const ColourTables& tables) {
   return tinted;
 }
 
+// Hot loop. Eight pixels are read before any is written: the compiler must take bytes for neighbours of the
+// table's.
+void remap(const Remap& tinted, std::span<std::uint8_t> io_pixels) {
+  constexpr std::size_t kTogether = 8;
+  std::size_t i = 0;
+  for (; i + kTogether <= io_pixels.size(); i += kTogether) {
+    std::array<std::uint8_t, kTogether> now;
+    for (std::size_t k = 0; k < kTogether; ++k) now[k] = tinted[io_pixels[i + k]];
+    std::memcpy(&io_pixels[i], now.data(), kTogether);
+  }
+  for (; i < io_pixels.size(); ++i) io_pixels[i] = tinted[io_pixels[i]];
+}
+
 }  // namespace
 
 void tint_picture(const Tint& tint, const ColourTables& tables, bool vector_kernels, base::Jobs& jobs,
@@ -32,7 +46,7 @@ void tint_picture(const Tint& tint, const ColourTables& tables, bool vector_kern
   jobs.parallel_for((pixels + kPixelsAJob - 1) / kPixelsAJob, [&](std::size_t job) {
     const std::size_t first = job * kPixelsAJob, count = std::min(kPixelsAJob, pixels - first);
     if (indexed) {
-      for (std::uint8_t& pixel : io_frame.indexed().subspan(first, count)) pixel = tinted[pixel];
+      remap(tinted, io_frame.indexed().subspan(first, count));
       return;
     }
     const TintJob tint_job{io_frame.rgb().data() + first, count, to_rgb(colour), opacity};

@@ -29,7 +29,9 @@ struct Axis {
   }
 };
 
-constexpr std::size_t kRowsAJob = 16;
+// Rows and columns that are moved together: what they come from lies close together too, and stays in the
+// nearest caches.
+constexpr std::size_t kRowsAJob = 64, kColumnsAStrip = 128;
 
 }  // namespace
 
@@ -59,19 +61,22 @@ template <typename Pixel>
 void Warp::move_pixels(std::span<Pixel> io_pixels, std::vector<Pixel>& io_copy, base::Jobs& jobs) const {
   const std::size_t width = column_.size(), height = row_.size();
   io_copy.resize(io_pixels.size());
-  const auto for_rows = [&](auto each_row) {
-    jobs.parallel_for((height + kRowsAJob - 1) / kRowsAJob, [&](std::size_t job) {
-      for (std::size_t y = job * kRowsAJob; y < std::min(height, (job + 1) * kRowsAJob); ++y) each_row(y);
-    });
-  };
-  for_rows(
-      [&](std::size_t y) { std::memcpy(&io_copy[y * width], &io_pixels[y * width], width * sizeof(Pixel)); });
-  for_rows([&](std::size_t y) {
-    Pixel* const out = &io_pixels[y * width];
-    const Pixel* const from = io_copy.data();
-    const std::int32_t row = row_[y];
-    const std::int32_t* const column = column_.data();
-    for (std::size_t x = 0; x < width; ++x) out[x] = from[row + column[x]];
+  const std::size_t job_count = (height + kRowsAJob - 1) / kRowsAJob;
+  jobs.parallel_for(job_count, [&](std::size_t job) {
+    const std::size_t first = job * kRowsAJob * width, last = std::min((job + 1) * kRowsAJob, height) * width;
+    std::memcpy(&io_copy[first], &io_pixels[first], (last - first) * sizeof(Pixel));
+  });
+  jobs.parallel_for(job_count, [&](std::size_t job) {
+    const std::size_t end = std::min((job + 1) * kRowsAJob, height);
+    for (std::size_t left = 0; left < width; left += kColumnsAStrip)
+      for (std::size_t y = job * kRowsAJob; y < end; ++y) {
+        Pixel* const out = &io_pixels[y * width];
+        const Pixel* const from = io_copy.data();
+        const std::int32_t row = row_[y];
+        const std::int32_t* const column = column_.data();
+        const std::size_t right = std::min(left + kColumnsAStrip, width);
+        for (std::size_t x = left; x < right; ++x) out[x] = from[row + column[x]];
+      }
   });
 }
 

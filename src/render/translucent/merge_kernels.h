@@ -17,7 +17,7 @@ struct MergeRow {
   float nearer;
   bool has_holes;
   // Blending only.
-  const std::uint8_t* table;  // bytes: BlendTables; three bytes more can be read
+  const std::uint8_t* table;  // bytes: BlendTables
   std::int32_t opacity_256;   // 0xffRRGGBB: 0 to 256, as blend_rgb has it
 };
 

@@ -91,17 +91,18 @@ void MergeOpaqueU32(const MergeRow& row) {
 void MergeBlendU8(const MergeRow& row) {
   const DU du;
   const int lanes = static_cast<int>(hn::Lanes(du));
+  HWY_ALIGN uint32_t index[16];
+  HWY_ALIGN uint8_t blended[16];
   int i = 0;
   for (; i + lanes <= row.count; i += lanes) {
     const auto texels = LoadBytes(row.texels, i);
     const auto shown = NotClear(row, texels, 255, InFront(row, i));
     if (hn::AllFalse(du, shown)) continue;
     const auto under = LoadBytes(row.pixels, i);
-    const auto index = hn::IfThenElseZero(shown, hn::Add(hn::ShiftLeft<8>(texels), under));
-    const auto blended =
-        hn::And(hn::GatherOffset(du, reinterpret_cast<const uint32_t*>(row.table), hn::BitCast(DI(), index)),
-                hn::Set(du, 255));
-    StoreBytes(hn::IfThenElse(shown, blended, under), row.pixels, i);
+    // One by one: a gather of bytes is slower.
+    hn::Store(hn::Add(hn::ShiftLeft<8>(texels), under), du, index);
+    for (int lane = 0; lane < lanes; ++lane) blended[lane] = row.table[index[lane]];
+    StoreBytes(hn::IfThenElse(shown, LoadBytes(blended, 0), under), row.pixels, i);
   }
   merge_blend_u8_plain(row, i);
 }
