@@ -14,15 +14,16 @@ namespace temblor::app {
 namespace {
 
 constexpr const char* kHelpFooter =
-    R"(Stands at every player start, teleport destination and intermission camera of the level and turns a
-full circle. Everything is drawn once before it is timed. Beside each frame runs the floor: a plain loop that
-fills the frame from one texture; a frame's time in floors says little about the machine.
+    R"(In a level: stands at every player start, teleport destination and intermission camera and turns a full
+circle. Everything is drawn once before it is timed. In a recording: a frame for each of its packets, once, with all
+that belongs to it. Beside each frame runs the floor: a plain loop that fills the frame from one texture; a frame's
+time in floors says little about the machine.
 --basedir, --game, --set and --show: see temblor --help.
 
 Examples:
   temblor --basedir quake bench --map e1m1
   temblor --basedir quake bench --map e1m1 --map e1m2 --size 1280x720 --color indexed --threads 1 --cold
-  temblor --basedir quake bench --map e1m1 --json > e1m1.json
+  temblor --basedir quake bench --demo demo1 --json > demo1.json
   temblor --basedir quake bench --report --map start > table.md
   temblor bench)";
 
@@ -46,6 +47,11 @@ CLI::App* add_bench_command(CLI::App& program, BenchOptions& io_options) {
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->take_all();
+  command
+      ->add_option("--demo", io_options.demos, "Recording to draw: its name, or a .dem file; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->take_all();
   add_frame_options(*command, io_options.frame);
   command->add_option("--step", io_options.step_deg, "Turn between two views of a circle")
       ->type_name("DEGREES")
@@ -65,24 +71,35 @@ CLI::App* add_bench_command(CLI::App& program, BenchOptions& io_options) {
 }
 
 base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
-                       const render::Settings& settings) {
+                       const client::PresentationSettings& presentation, const render::Settings& settings) {
   std::vector<std::string> maps = options.maps;
-  if (maps.empty()) maps.emplace_back();
+  if (maps.empty() && options.demos.empty()) maps.emplace_back();
   if (options.report) print_report_header();
   nlohmann::json results = nlohmann::json::array();
-  for (const std::string& map : maps) {
-    TRY(const LoadedMap loaded, load_map(folders, map));
-    for (const std::string& note : loaded.notes) print_note(note);
-    const std::string& name = loaded.level->name;
-    if (options.report) {
-      print_report(name, loaded, settings, options.step_deg);
-      continue;
-    }
-    const Measurement measurement = measure(loaded, measure_options(options, settings));
+  const auto show = [&](const std::string& name, const Measurement& measurement) {
     if (options.json)
       results.push_back(json_of(name, measurement));
     else
       fmt::print("{}", describe_measurement(name, measurement));
+  };
+  for (const std::string& map : maps) {
+    TRY(const LoadedMap loaded, load_map(folders, map));
+    for (const std::string& note : loaded.notes) print_note(note);
+    const std::string& name = loaded.level->name;
+    if (options.report)
+      print_report(name, loaded, settings, options.step_deg);
+    else
+      show(name, measure(loaded, measure_options(options, settings)));
+  }
+  for (const std::string& demo : options.demos) {
+    TRY(const LoadedDemo loaded, load_demo(folders, demo));
+    if (options.report) {
+      TRY_STATUS(print_demo_report(demo, loaded, presentation, settings));
+      continue;
+    }
+    TRY(const Measurement measurement,
+        measure_demo(loaded, presentation, measure_options(options, settings)));
+    show(demo, measurement);
   }
   if (options.json) fmt::print("{}\n", (results.size() == 1 ? results[0] : results).dump(2));
   return base::Ok{};

@@ -1,4 +1,4 @@
-// `temblor bench`: how fast levels are drawn, and what each stage costs.
+// `temblor bench`: how fast levels and recordings are drawn, and what each stage costs.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -7,12 +7,14 @@
 
 #include "app/options.h"
 #include "base/result.h"
+#include "client/presentation.h"
 #include "render/renderer.h"
 
 namespace temblor::app {
 
 struct BenchOptions {
-  std::vector<std::string> maps;  // none: the level made in code
+  std::vector<std::string> maps;  // none, and no recordings: the level made in code
+  std::vector<std::string> demos;
   FrameOptions frame{.size = {1920, 1080}};
   double step_deg = 5;
   bool cold = false;
@@ -24,6 +26,6 @@ struct BenchOptions {
 CLI::App* add_bench_command(CLI::App& program, BenchOptions& io_options);
 
 base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
-                       const render::Settings& settings);
+                       const client::PresentationSettings& presentation, const render::Settings& settings);
 
 }  // namespace temblor::app

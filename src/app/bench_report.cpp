@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <numeric>
 #include <thread>
 
 #include "app/measurement.h"
@@ -75,6 +76,38 @@ void report_format(const LoadedMap& map, const render::Settings& settings, rende
               fmt::format("{:.0f} / {:.0f} / {:.0f}", one.faces_in_pvs.p50, one.faces_drawn.p50,
                           one.faces_seen.p50),
               "-");
+}
+
+// Share of the frame's time for each stage.
+std::string describe_shares(const Measurement& m) {
+  const double whole_ms = m.client_mean_ms + std::accumulate(m.stage_ms.begin(), m.stage_ms.end(), 0.0);
+  std::string text = fmt::format("client {:.0f} %", 100 * m.client_mean_ms / whole_ms);
+  for (std::size_t stage = 0; stage < render::kStages; ++stage)
+    text += fmt::format(", {} {:.0f} %", render::kStageNames[stage], 100 * m.stage_ms[stage] / whole_ms);
+  return text;
+}
+
+base::Status report_demo_format(const LoadedDemo& demo, const client::PresentationSettings& presentation,
+                                const render::Settings& settings, render::PixelFormat format) {
+  MeasureOptions options = main_options(settings, format, kCoarseStepDeg);
+  TRY(const Measurement one, measure_demo(demo, presentation, options));
+  options.settings.threads = 2;
+  TRY(const Measurement two, measure_demo(demo, presentation, options));
+  const std::string name = name_of(format);
+  print_row(fmt::format("{}: whole frame, in floors", name),
+            fmt::format("{:.2f} ({:.2f} ms, floor {:.2f} ms, {} frames)", render_floors(one),
+                        one.render_ms.p50, one.floor_ms.p50, one.frames),
+            "at most 1.4");
+  print_row(fmt::format("{}: 99th percentile, in floors", name),
+            fmt::format("{:.2f} ({:.2f} ms; max {:.2f} ms)", one.render_ms.p99 / one.floor_ms.p50,
+                        one.render_ms.p99, one.render_ms.max),
+            "at most 3");
+  print_row(fmt::format("{}: two threads / one", name),
+            fmt::format("{:.2f} (two floors side by side: {:.2f})", one.render_ms.p50 / two.render_ms.p50,
+                        floor_speedup_of_two_threads(kMainSize, format)),
+            "at least 1.8 where the floors show 2");
+  print_row(fmt::format("{}: shares", name), describe_shares(one), "-");
+  return base::Ok{};
 }
 
 void report_depth_share(const LoadedMap& map, const render::Settings& settings, double step_deg) {
@@ -152,6 +185,15 @@ void print_report(const std::string& map_name, const LoadedMap& map, const rende
   report_depth_share(map, settings, step_deg);
   report_sizes(map, settings, step_deg);
   report_surface_cache(map, settings, step_deg);
+}
+
+base::Status print_demo_report(const std::string& name, const LoadedDemo& demo,
+                               const client::PresentationSettings& presentation,
+                               const render::Settings& settings) {
+  fmt::print("\n### {}\n\n| what | measured | goal |\n| --- | --- | --- |\n", name);
+  for (const render::PixelFormat format : kFormats)
+    TRY_STATUS(report_demo_format(demo, presentation, settings, format));
+  return base::Ok{};
 }
 
 }  // namespace temblor::app

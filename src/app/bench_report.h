@@ -3,7 +3,10 @@
 
 #include <string>
 
+#include "app/demo_loading.h"
 #include "app/level_loading.h"
+#include "base/result.h"
+#include "client/presentation.h"
 #include "render/renderer.h"
 
 namespace temblor::app {
@@ -12,6 +15,11 @@ namespace temblor::app {
 // (threads aside), and prints its section on standard output.
 void print_report(const std::string& map_name, const LoadedMap& map, const render::Settings& settings,
                   double step_deg);
+
+// The same for a recording, in both formats. Fails where the recording does.
+base::Status print_demo_report(const std::string& name, const LoadedDemo& demo,
+                               const client::PresentationSettings& presentation,
+                               const render::Settings& settings);
 
 // Goals and machine: what the sections are held against. Printed once, before them.
 void print_report_header();

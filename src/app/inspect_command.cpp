@@ -9,7 +9,8 @@ namespace {
 
 constexpr const char* kHelpFooter =
     R"(Known formats: levels (.bsp versions 29, 2PSB, BSP2), coloured light (.lit), entity text (.ent),
-archives (.pak, .pk3, .wad), pictures, palettes and colormaps (.lmp).
+archives (.pak, .pk3, .wad), pictures, palettes and colormaps (.lmp), models (.mdl), sprites (.spr),
+recordings (.dem).
 "problems" are what the game can live with; a file that it cannot use at all gives one line on standard
 error and exit status 1.
 

@@ -14,10 +14,6 @@
 namespace temblor::app {
 namespace {
 
-Inspection json_of(const math::Vec3& v) {
-  return Inspection::array({v.x, v.y, v.z});
-}
-
 Inspection count_classes(const std::vector<formats::Entity>& entities) {
   std::map<std::string, std::size_t> counts;
   for (const formats::Entity& entity : entities)

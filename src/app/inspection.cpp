@@ -17,10 +17,24 @@ namespace {
 
 using base::ErrorCode;
 
-enum class Format { kBsp, kLit, kEntities, kPak, kPk3, kWad, kPicture, kPalette, kColormap };
+enum class Format {
+  kBsp,
+  kLit,
+  kEntities,
+  kPak,
+  kPk3,
+  kWad,
+  kPicture,
+  kPalette,
+  kColormap,
+  kMdl,
+  kSpr,
+  kDem
+};
 
-constexpr std::array<const char*, 9> kFormatNames = {
-    "level", "coloured light", "entity text", "PAK", "PK3", "WAD2", "picture", "palette", "colormap"};
+constexpr std::array<const char*, 12> kFormatNames = {
+    "level",   "coloured light", "entity text", "PAK",   "PK3",    "WAD2",
+    "picture", "palette",        "colormap",    "model", "sprite", "recording"};
 
 // The formats whose files start with something of their own.
 std::optional<Format> format_of_start(base::Bytes bytes) {
@@ -28,15 +42,17 @@ std::optional<Format> format_of_start(base::Bytes bytes) {
     std::string_view bytes;
     Format format;
   };
-  constexpr std::array<Start, 9> kStarts = {{{{"\x1d\0\0\0", 4}, Format::kBsp},
-                                             {"BSP2", Format::kBsp},
-                                             {"2PSB", Format::kBsp},
-                                             {"QLIT", Format::kLit},
-                                             {"PACK", Format::kPak},
-                                             {"PK\x03\x04", Format::kPk3},
-                                             {"PK\x05\x06", Format::kPk3},  // an empty one
-                                             {"WAD2", Format::kWad},
-                                             {"{", Format::kEntities}}};
+  constexpr std::array<Start, 11> kStarts = {{{{"\x1d\0\0\0", 4}, Format::kBsp},
+                                              {"BSP2", Format::kBsp},
+                                              {"2PSB", Format::kBsp},
+                                              {"QLIT", Format::kLit},
+                                              {"PACK", Format::kPak},
+                                              {"PK\x03\x04", Format::kPk3},
+                                              {"PK\x05\x06", Format::kPk3},  // an empty one
+                                              {"WAD2", Format::kWad},
+                                              {"IDPO", Format::kMdl},
+                                              {"IDSP", Format::kSpr},
+                                              {"{", Format::kEntities}}};
   const std::string_view text = base::as_text(bytes);
   for (const Start& start : kStarts)
     if (text.starts_with(start.bytes)) return start.format;
@@ -56,12 +72,15 @@ std::optional<Format> format_of_name(const std::filesystem::path& path, std::siz
     std::string_view text;
     Format format;
   };
-  constexpr std::array<Extension, 6> kExtensions = {{{".bsp", Format::kBsp},
+  constexpr std::array<Extension, 9> kExtensions = {{{".bsp", Format::kBsp},
                                                      {".lit", Format::kLit},
                                                      {".ent", Format::kEntities},
                                                      {".pak", Format::kPak},
                                                      {".pk3", Format::kPk3},
-                                                     {".wad", Format::kWad}}};
+                                                     {".wad", Format::kWad},
+                                                     {".mdl", Format::kMdl},
+                                                     {".spr", Format::kSpr},
+                                                     {".dem", Format::kDem}}};
   for (const Extension& known : kExtensions)
     if (extension == known.text) return known.format;
   return std::nullopt;
@@ -85,6 +104,12 @@ base::Result<Inspection> inspect_bytes(Format format, base::ByteVector bytes) {
       return inspect_palette(bytes);
     case Format::kColormap:
       return inspect_colormap(bytes);
+    case Format::kDem:
+      return inspect_dem(bytes);
+    case Format::kMdl:
+      return inspect_mdl(bytes);
+    case Format::kSpr:
+      return inspect_spr(bytes);
     case Format::kPak:
       break;
   }
@@ -111,9 +136,10 @@ base::Result<Inspection> inspect_content(const std::filesystem::path& path, Insp
     if (!format) format = format_of_name(path, bytes.size());
   }
   if (!format)
-    return base::error(ErrorCode::kUnsupported,
-                       "is of no known format; known are levels (.bsp), .lit, .ent, .pak, .pk3, .wad and "
-                       "pictures, palettes and colormaps (.lmp)");
+    return base::error(
+        ErrorCode::kUnsupported,
+        "is of no known format; known are levels (.bsp), .lit, .ent, .pak, .pk3, .wad, .mdl, .spr, .dem and "
+        "pictures, palettes and colormaps (.lmp)");
   io_header["format"] = kFormatNames[static_cast<std::size_t>(*format)];
   return *format == Format::kPak ? inspect_pak(path) : inspect_bytes(*format, std::move(bytes));
 }
@@ -138,6 +164,10 @@ base::Result<Inspection> inspect_file(const std::filesystem::path& path) {
   TRY(const Inspection content, inspect_content(path, result).with_file(path.string()));
   for (const auto& [key, value] : content.items()) result[key] = value;
   return result;
+}
+
+Inspection json_of(const math::Vec3& v) {
+  return Inspection::array({v.x, v.y, v.z});
 }
 
 std::string describe_inspection(const Inspection& inspection) {

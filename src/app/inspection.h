@@ -9,6 +9,7 @@
 
 #include "base/bytes.h"
 #include "base/result.h"
+#include "math/vec.h"
 
 namespace temblor::app {
 
@@ -24,11 +25,17 @@ base::Result<Inspection> inspect_wad(base::Bytes bytes);
 base::Result<Inspection> inspect_picture(base::Bytes bytes);
 base::Result<Inspection> inspect_palette(base::Bytes bytes);
 base::Result<Inspection> inspect_colormap(base::Bytes bytes);
+base::Result<Inspection> inspect_dem(base::Bytes bytes);
+base::Result<Inspection> inspect_mdl(base::Bytes bytes);
+base::Result<Inspection> inspect_spr(base::Bytes bytes);
 
 // Any of them: the format is found from the file's first bytes, and where they say nothing (pictures,
 // palettes, entity text) from its name and size. kUnsupported for a file of no known format. The object
 // starts with "file" and "format".
 base::Result<Inspection> inspect_file(const std::filesystem::path& path);
+
+// [x, y, z]
+Inspection json_of(const math::Vec3& v);
 
 // As lines of text: "key: value", lists with an entry a line.
 std::string describe_inspection(const Inspection& inspection);

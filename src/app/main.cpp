@@ -6,6 +6,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "app/bench_command.h"
+#include "app/client_variables.h"
 #include "app/diagnostics.h"
 #include "app/inspect_command.h"
 #include "app/options.h"
@@ -52,13 +53,16 @@ void describe_command_line(CLI::App& program, Commands& io_commands) {
 base::Status run(const Commands& commands) {
   command::Variables variables;
   const RenderSettings render_settings(variables);
+  const ClientVariables client_variables(variables);
   if (commands.render_command->parsed()) {
     TRY_STATUS(apply_options(commands.common, commands.render.frame.threads, variables));
-    return run_render(commands.render, commands.common.folders, render_settings.read(variables));
+    return run_render(commands.render, commands.common.folders, client_variables.read(variables),
+                      render_settings.read(variables));
   }
   if (commands.bench_command->parsed()) {
     TRY_STATUS(apply_options(commands.common, commands.bench.frame.threads, variables));
-    return run_bench(commands.bench, commands.common.folders, render_settings.read(variables));
+    return run_bench(commands.bench, commands.common.folders, client_variables.read(variables),
+                     render_settings.read(variables));
   }
   TRY_STATUS(apply_options(commands.common, std::nullopt, variables));
   if (commands.inspect_command->parsed()) return run_inspect(commands.inspect);

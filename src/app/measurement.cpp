@@ -1,7 +1,6 @@
 #include "app/measurement.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <thread>
 
@@ -9,21 +8,13 @@
 #include "app/floor_loop.h"
 #include "app/level_scene.h"
 #include "app/progress.h"
+#include "app/samples.h"
 #include "app/viewpoints.h"
 #include "base/check.h"
 #include "base/large_memory.h"
 
 namespace temblor::app {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-template <typename Function>
-double time_ms(Function&& function) {
-  const Clock::time_point start = Clock::now();
-  function();
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 // The views of one circle, starting with the viewpoint's own direction.
 std::vector<render::Camera> circle_views(const Viewpoint& viewpoint, float fov_deg, double step_deg) {
@@ -180,33 +171,6 @@ RelightTimes measure_relight(Bench& io_bench) {
   return result;
 }
 
-// Every measured frame's numbers, by kind.
-struct Samples {
-  std::vector<double> frame_ms, render_ms, present_ms, floor_ms;
-  std::vector<double> faces_in_pvs, faces_drawn, faces_seen, edges, spans, surfaces, texels_read;
-  std::array<double, render::kStages> stage_ms{}, stage_cycles{};  // sums
-
-  void reserve(std::size_t count) {
-    for (std::vector<double>* samples : {&frame_ms, &render_ms, &present_ms, &floor_ms, &faces_in_pvs,
-                                         &faces_drawn, &faces_seen, &edges, &spans, &surfaces, &texels_read})
-      samples->reserve(count);
-  }
-
-  void add(const render::FrameStats& stats) {
-    faces_in_pvs.push_back(stats.faces_in_pvs);
-    faces_drawn.push_back(stats.faces_drawn);
-    faces_seen.push_back(stats.faces_seen);
-    edges.push_back(stats.edges);
-    spans.push_back(stats.spans);
-    surfaces.push_back(stats.surfaces);
-    texels_read.push_back(static_cast<double>(stats.texels_read));
-    for (std::size_t stage = 0; stage < render::kStages; ++stage) {
-      stage_ms[stage] += stats.stage_ms[stage];
-      stage_cycles[stage] += stats.stage_cycles[stage];
-    }
-  }
-};
-
 // Draws every view once so that all is warm, then again with the clock running.
 Samples measure_warm(Bench& io_bench, Measurement& io_result) {
   Samples samples;
@@ -247,28 +211,7 @@ Measurement measure(const LoadedMap& map, const MeasureOptions& options) {
   result.places = bench.circles().size();
   if (options.cold) measure_cold(bench, result);
   if (options.relight) result.relight = measure_relight(bench);
-  const Samples samples = measure_warm(bench, result);
-
-  result.frames = samples.frame_ms.size();
-  result.fps = 1000.0 / mean_of(samples.frame_ms);
-  result.frame_ms = distribution_of(samples.frame_ms);
-  result.render_ms = distribution_of(samples.render_ms);
-  result.present_mean_ms = mean_of(samples.present_ms);
-  result.present_ms = distribution_of(samples.present_ms);
-  result.floor_ms = distribution_of(samples.floor_ms);
-  result.faces_in_pvs = distribution_of(samples.faces_in_pvs);
-  result.faces_drawn = distribution_of(samples.faces_drawn);
-  result.faces_seen = distribution_of(samples.faces_seen);
-  result.edges = distribution_of(samples.edges);
-  result.spans = distribution_of(samples.spans);
-  result.surfaces = distribution_of(samples.surfaces);
-  result.texels_read = distribution_of(samples.texels_read);
-  const auto frames = static_cast<double>(result.frames);
-  const auto pixels = static_cast<double>(bench.pixels());
-  for (std::size_t stage = 0; stage < render::kStages; ++stage) {
-    result.stage_ms[stage] = samples.stage_ms[stage] / frames;
-    result.stage_cycles_per_pixel[stage] = samples.stage_cycles[stage] / (frames * pixels);
-  }
+  measure_warm(bench, result).summarize(bench.pixels(), result);
   return result;
 }
 

@@ -1,5 +1,5 @@
-// Measures the renderer in a level: full circles at every viewpoint, timed frame by frame beside the floor
-// loop.
+// Measures the renderer, frame by frame beside the floor loop: in a level, full circles at every viewpoint;
+// in a recording, one frame for each packet, as fast as they can be drawn.
 #pragma once
 
 #include <array>
@@ -7,9 +7,12 @@
 #include <optional>
 #include <vector>
 
+#include "app/demo_loading.h"
 #include "app/distribution.h"
 #include "app/level_loading.h"
 #include "app/options.h"
+#include "base/result.h"
+#include "client/presentation.h"
 #include "render/renderer.h"
 
 namespace temblor::app {
@@ -37,11 +40,13 @@ struct RelightTimes {
 // Medians over all warm frames unless said otherwise. Milliseconds of wall time.
 struct Measurement {
   MeasureOptions options;
-  std::size_t places = 0;  // viewpoints of the level
-  std::size_t frames = 0;  // warm ones, measured
+  std::size_t places = 0;  // viewpoints of the level; 0: of a recording
+  std::size_t frames = 0;  // measured; of a level, warm ones
   double fps = 0;          // frames / (time to render and present them)
-  Distribution frame_ms;   // render and present
-  Distribution render_ms;
+  Distribution frame_ms;   // client, render and present
+  Distribution render_ms;  // all but present
+  Distribution client_ms;  // recordings, part of render_ms: messages read, entities and effects moved
+  double client_mean_ms = 0;
   Distribution present_ms;  // palette expansion; 0 for rgb, which a window takes as it is
   double present_mean_ms = 0;
   Distribution floor_ms;
@@ -53,6 +58,7 @@ struct Measurement {
   std::optional<Distribution> circle_cache_bytes;
   std::array<double, render::kStages> stage_ms{};                // means, so that they add up
   std::array<double, render::kStages> stage_cycles_per_pixel{};  // means
+  Distribution models, triangles, particles;                     // of recordings
   Distribution faces_in_pvs, faces_drawn, faces_seen, edges, spans, surfaces, texels_read;
   std::uint64_t cache_bytes = 0;       // in use at the end: all surfaces of all views
   std::uint64_t surfaces_built = 0;    // in all warm frames together
@@ -60,6 +66,10 @@ struct Measurement {
 };
 
 Measurement measure(const LoadedMap& map, const MeasureOptions& options);
+// options.step_deg and cold do not count. Fails where the recording does.
+base::Result<Measurement> measure_demo(const LoadedDemo& demo,
+                                       const client::PresentationSettings& presentation,
+                                       const MeasureOptions& options);
 
 // How much faster two copies of the floor loop, each in a thread of its own, are than one: 2.0 on a machine
 // that really gives two cores.

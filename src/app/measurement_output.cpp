@@ -29,21 +29,24 @@ double present_floors(const Measurement& measurement) {
   return measurement.present_ms.p50 / measurement.floor_ms.p50;
 }
 
-std::string describe_measurement(const std::string& map, const Measurement& m) {
+std::string describe_measurement(const std::string& name, const Measurement& m) {
   std::string text;
   auto out = std::back_inserter(text);
-  auto times = [&](const char* name, const Distribution& ms) {
-    fmt::format_to(out, "  {:<11}{:>9.3f} ms median {:>9.3f} p99 {:>9.3f} max\n", name, ms.p50, ms.p99,
+  auto times = [&](const char* label, const Distribution& ms) {
+    fmt::format_to(out, "  {:<11}{:>9.3f} ms median {:>9.3f} p99 {:>9.3f} max\n", label, ms.p50, ms.p99,
                    ms.max);
   };
-  auto counts = [&](const char* name, const Distribution& count) {
-    fmt::format_to(out, "  {:<11}{:>9.0f}    median {:>9.0f} p99 {:>9.0f} max\n", name, count.p50, count.p99,
+  auto counts = [&](const char* label, const Distribution& count) {
+    fmt::format_to(out, "  {:<11}{:>9.0f}    median {:>9.0f} p99 {:>9.0f} max\n", label, count.p50, count.p99,
                    count.max);
   };
-  fmt::format_to(out, "{}: {} frames from {} places, {} {}, threads: {}\n", map, m.frames, m.places,
-                 size_text(m.options.size), name_of(m.options.format), m.options.settings.threads);
+  const bool is_demo = m.places == 0;
+  fmt::format_to(out, "{}: {} frames{}, {} {}, threads: {}\n", name, m.frames,
+                 is_demo ? "" : fmt::format(" from {} places", m.places), size_text(m.options.size),
+                 name_of(m.options.format), m.options.settings.threads);
   fmt::format_to(out, "  {:<11}{:>9.1f}\n", "fps", m.fps);
   times("frame", m.frame_ms);
+  if (is_demo) times("client", m.client_ms);
   times("render", m.render_ms);
   times("present", m.present_ms);
   times("floor", m.floor_ms);
@@ -61,6 +64,11 @@ std::string describe_measurement(const std::string& map, const Measurement& m) {
   for (std::size_t stage = 0; stage < render::kStages; ++stage)
     fmt::format_to(out, "  {:<11}{:>9.3f} ms mean   {:>9.2f} cycles/pixel\n", render::kStageNames[stage],
                    m.stage_ms[stage], m.stage_cycles_per_pixel[stage]);
+  if (is_demo) {
+    counts("models", m.models);
+    counts("triangles", m.triangles);
+    counts("particles", m.particles);
+  }
   counts("PVS faces", m.faces_in_pvs);
   counts("drawn faces", m.faces_drawn);
   counts("seen faces", m.faces_seen);
@@ -68,19 +76,20 @@ std::string describe_measurement(const std::string& map, const Measurement& m) {
   counts("spans", m.spans);
   counts("surfaces", m.surfaces);
   counts("texels read", m.texels_read);
-  fmt::format_to(out, "  {:<11}{:>9.1f} MiB for all views\n", "cache",
+  fmt::format_to(out, "  {:<11}{:>9.1f} MiB at the end\n", "cache",
                  static_cast<double>(m.cache_bytes) / kMebibyte);
   if (m.circle_cache_bytes)
     fmt::format_to(out, "  {:<11}{:>9.1f} MiB median {:>9.1f} max, for a circle\n", "",
                    m.circle_cache_bytes->p50 / kMebibyte, m.circle_cache_bytes->max / kMebibyte);
-  fmt::format_to(out, "  {:<11}{:>9} built, {} allocations at most in a warm frame\n", "warm",
+  fmt::format_to(out, "  {:<11}{:>9} built, {} allocations at most in a frame\n", "surfaces",
                  m.surfaces_built, m.most_allocations);
   return text;
 }
 
-nlohmann::json json_of(const std::string& map, const Measurement& m) {
+nlohmann::json json_of(const std::string& name, const Measurement& m) {
+  const bool is_demo = m.places == 0;
   nlohmann::json json = {
-      {"map", map},
+      {is_demo ? "demo" : "map", name},
       {"fps", m.fps},
       {"frames", m.frames},
       {"places", m.places},
@@ -106,6 +115,12 @@ nlohmann::json json_of(const std::string& map, const Measurement& m) {
     json["cycles_per_pixel"][render::kStageNames[stage]] = m.stage_cycles_per_pixel[stage];
   }
   json["stages"]["present"] = m.present_mean_ms;
+  if (is_demo) {
+    json["stages"]["client"] = m.client_mean_ms;
+    json["models"] = m.models.p50;
+    json["triangles"] = m.triangles.p50;
+    json["particles"] = m.particles.p50;
+  }
   if (m.cold_ms) json["cold_ms"] = json_of(*m.cold_ms);
   if (m.relight)
     json["relight"] = {

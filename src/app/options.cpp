@@ -34,6 +34,20 @@ base::Result<FrameSize> parse_size(std::string_view text) {
                      kMaxSide);
 }
 
+base::Result<FrameRange> parse_frame_range(std::string_view text) {
+  FrameRange range{0, kMaxFrames};
+  const std::size_t colon = text.find(':');
+  const std::string_view first = colon == std::string_view::npos ? "" : text.substr(0, colon);
+  const std::string_view end = colon == std::string_view::npos ? text : text.substr(colon + 1);
+  const auto first_number = parse_number<std::size_t>(first), end_number = parse_number<std::size_t>(end);
+  range.first = first_number.value_or(0);
+  range.end = end_number.value_or(kMaxFrames);
+  const bool parsed = (first_number || first.empty()) && (end_number || (end.empty() && !first.empty()));
+  if (parsed && range.first < range.end && range.end <= kMaxFrames) return range;
+  return base::error(ErrorCode::kUsage, "\"{}\" is neither a number of frames nor a range of them, A:B",
+                     text);
+}
+
 base::Result<math::Vec3> parse_vec3(std::string_view text) {
   std::array<float, 3> parts{};
   std::string_view rest = text;

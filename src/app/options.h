@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +40,14 @@ struct FrameOptions {
   std::optional<int> threads{};  // nothing: as r_threads says
 };
 
+// Frames of a sequence, counted from 0: first up to but not including end.
+struct FrameRange {
+  std::size_t first = 0, end = 0;
+};
+
+// "N": the first N frames; "A:B", "A:" (to the last), ":B". At least one frame, and at most kMaxFrames.
+constexpr std::size_t kMaxFrames = 10'000'000;
+base::Result<FrameRange> parse_frame_range(std::string_view text);
 // "640x480".
 base::Result<FrameSize> parse_size(std::string_view text);
 // "1,-2.5,3": finite numbers.

@@ -1,11 +1,12 @@
 #include "app/render_command.h"
 
 #include "app/diagnostics.h"
+#include "app/film.h"
 #include "app/frame_report.h"
 #include "app/level_loading.h"
 #include "app/level_scene.h"
-#include "app/picture_file.h"
 #include "app/progress.h"
+#include "app/render_demo.h"
 #include "app/viewpoints.h"
 #include "math/angles.h"
 
@@ -13,8 +14,6 @@ namespace temblor::app {
 namespace {
 
 using base::ErrorCode;
-
-constexpr int kMaxFrames = 100000;
 
 constexpr const char* kHelpFooter =
     R"(Without --pos and --angles: the eye of a player at the level's start, or for orthographic
@@ -25,7 +24,9 @@ Examples:
   temblor --basedir quake render --map e1m1 --pos 480,-352,110 --angles 10,90,0 --size 1920x1080 -o hall.png
   temblor --basedir quake render --map e1m1 --projection orthographic --size 2048x2048 -o plan.png
   temblor --basedir quake --show mips render --map e1m1 --color indexed --stats -o mips.png
-  temblor --basedir quake render --map start --frames 360 --turn 1 -o turn-%05d.png
+  temblor --basedir quake render --map start --frames 360 --turn 1 -o turn.mp4
+  temblor --basedir quake render --demo demo1 --size 1920x1080 --fps 60 -o demo1.mp4
+  temblor --basedir quake render --demo demo1 --frames 300:360 -o demo1-%05d.png
   temblor render -o small_level.png)";
 
 base::Result<render::Projection> parse_projection(std::string_view text) {
@@ -50,20 +51,52 @@ render::Camera first_camera(const RenderOptions& options, const world::Level& le
 }
 
 base::Status check_names(const RenderOptions& options) {
-  TRY_STATUS(numbered_name(options.out, 0));
-  if (options.frames > 1 && !is_numbered(options.out))
-    return base::error(ErrorCode::kUsage, "-o {}: {} frames need a number in the name, as in turn-%05d.png",
-                       options.out, options.frames);
+  TRY(const OutputKind kind, output_kind(options.out));
+  const FrameRange frames =
+      options.frame_range.value_or(FrameRange{0, options.demo.empty() ? 1 : kMaxFrames});
+  if (kind == OutputKind::kPicture && frames.end - frames.first > 1)
+    return base::error(
+        ErrorCode::kUsage,
+        "-o {}: more than one frame needs a number in the name, as in turn-%05d.png, or a film, "
+        "as in turn.mp4; or choose one frame with --frames",
+        options.out);
   return base::Ok{};
+}
+
+base::Status render_map(const RenderOptions& options, const GameFolders& folders,
+                        const render::Settings& settings) {
+  TRY(const LoadedMap loaded, load_map(folders, options.map));
+  for (const std::string& note : loaded.notes) print_note(note);
+  const LevelScene level_scene = make_level_scene(loaded.level);
+  render::Camera camera = first_camera(options, *loaded.level);
+  render::Renderer renderer(loaded.look.palette, loaded.look.colormap);
+  render::FrameBuffer frame(options.frame.size.width, options.frame.size.height, options.frame.format);
+  TRY(Film film,
+      Film::open(options.out, {options.frame.size, options.frames_per_second}, loaded.look.palette));
+  Progress progress("frames");
+  const FrameRange frames = options.frame_range.value_or(FrameRange{0, 1});
+  const float first_yaw_deg = camera.angles_deg.y;
+  for (std::size_t i = frames.first; i < frames.end; ++i) {
+    camera.angles_deg.y = first_yaw_deg + static_cast<float>(options.turn_deg * static_cast<double>(i));
+    const render::FrameStats stats =
+        renderer.render(scene_at(level_scene, camera, options.time_s), settings, frame);
+    TRY_STATUS(film.add(frame));
+    if (options.stats) fmt::print("frame {}\n{}", i, describe_frame(stats, frame.pixel_count()));
+    progress.update(i - frames.first + 1, frames.end - frames.first);
+  }
+  return film.finish();
 }
 
 }  // namespace
 
 CLI::App* add_render_command(CLI::App& program, RenderOptions& io_options) {
-  CLI::App* command = program.add_subcommand("render", "Draws pictures of a level without a display");
+  CLI::App* command = program.add_subcommand("render", "Draws pictures and films without a display");
   command
       ->add_option("--map", io_options.map, "Level to draw: its name, or a .bsp file; else one made in code")
       ->type_name("NAME");
+  command->add_option("--demo", io_options.demo, "Recording to draw: its name, or a .dem file")
+      ->type_name("NAME")
+      ->excludes("--map");
   add_parsed_option(*command, "--pos", io_options.position_world, parse_vec3,
                     "Where the eye is, in map units")
       ->type_name("X,Y,Z");
@@ -78,13 +111,17 @@ CLI::App* add_render_command(CLI::App& program, RenderOptions& io_options) {
   command->add_option("--time", io_options.time_s, "Seconds into the level: light, liquids, sky, animation")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.0, 1e9));
-  command->add_option("--frames", io_options.frames, "Number of pictures")
+  add_parsed_option(*command, "--frames", io_options.frame_range, parse_frame_range,
+                    "Number of frames, or which: from A up to but not including B")
+      ->type_name("N|A:B");
+  command->add_option("--fps", io_options.frames_per_second, "Frames a second of film")
       ->type_name("N")
-      ->check(CLI::Range(1, kMaxFrames));
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   command->add_option("--turn", io_options.turn_deg, "Turn to the left from one picture to the next")
       ->type_name("DEGREES");
   command->add_flag("--stats", io_options.stats, "Prints what each frame took");
-  command->add_option("-o,--output", io_options.out, "PNG file; with --frames its name holds %d or %05d")
+  command->add_option("-o,--output", io_options.out, "x.png, x-%05d.png (a picture a frame), x.mp4 or x.y4m")
       ->type_name("OUT")
       ->required();
   command->footer(kHelpFooter);
@@ -92,28 +129,10 @@ CLI::App* add_render_command(CLI::App& program, RenderOptions& io_options) {
 }
 
 base::Status run_render(const RenderOptions& options, const GameFolders& folders,
-                        const render::Settings& settings) {
+                        const client::PresentationSettings& presentation, const render::Settings& settings) {
   TRY_STATUS(check_names(options));
-  TRY(const LoadedMap loaded, load_map(folders, options.map));
-  for (const std::string& note : loaded.notes) print_note(note);
-
-  const LevelScene level_scene = make_level_scene(loaded.level);
-  render::Camera camera = first_camera(options, *loaded.level);
-  render::Renderer renderer(loaded.look.palette, loaded.look.colormap);
-  render::FrameBuffer frame(options.frame.size.width, options.frame.size.height, options.frame.format);
-  Progress progress("frames");
-  const float first_yaw_deg = camera.angles_deg.y;
-  for (int i = 0; i < options.frames; ++i) {
-    camera.angles_deg.y = first_yaw_deg + static_cast<float>(options.turn_deg * i);
-    const render::FrameStats stats =
-        renderer.render(scene_at(level_scene, camera, options.time_s), settings, frame);
-    TRY(const std::string path, numbered_name(options.out, static_cast<std::size_t>(i)));
-    TRY_STATUS(write_picture_file(path, frame, loaded.look.palette));
-    if (options.frames > 1)
-      progress.update(static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(options.frames));
-    if (options.stats) fmt::print("{}\n{}", path, describe_frame(stats, frame.pixel_count()));
-  }
-  return base::Ok{};
+  if (!options.demo.empty()) return render_demo(options, folders, presentation, settings);
+  return render_map(options, folders, settings);
 }
 
 }  // namespace temblor::app

@@ -1,4 +1,4 @@
-// `temblor render`: pictures of a level, without a display.
+// `temblor render`: pictures and films of a level or a recording, without a display.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -7,6 +7,7 @@
 
 #include "app/options.h"
 #include "base/result.h"
+#include "client/presentation.h"
 #include "command/variables.h"
 #include "render/renderer.h"
 #include "render/scene.h"
@@ -14,13 +15,15 @@
 namespace temblor::app {
 
 struct RenderOptions {
-  std::string map;  // empty: the level made in code
+  std::string map;   // empty: the level made in code
+  std::string demo;  // a recording in place of a level; empty: none
   FrameOptions frame{.size = {1280, 720}};
   render::Projection projection = render::Projection::kPerspective;
   std::optional<math::Vec3> position_world;
   std::optional<math::Vec3> angles_deg;
   double time_s = 0;
-  int frames = 1;
+  std::optional<FrameRange> frame_range;  // nothing: one of a level, all of a recording
+  int frames_per_second = 30;
   double turn_deg = 0;  // yaw from one frame to the next
   bool stats = false;
   std::string out;
@@ -29,6 +32,6 @@ struct RenderOptions {
 CLI::App* add_render_command(CLI::App& program, RenderOptions& io_options);
 
 base::Status run_render(const RenderOptions& options, const GameFolders& folders,
-                        const render::Settings& settings);
+                        const client::PresentationSettings& presentation, const render::Settings& settings);
 
 }  // namespace temblor::app

@@ -17,6 +17,8 @@ constexpr std::array<std::string_view, 2> kPerspectives = {"exact", "every16"};
 constexpr std::array<std::string_view, 9> kShows = {"picture", "faces", "edges",    "spans", "surfaces",
                                                     "mips",    "pvs",   "overdraw", "depth"};
 
+constexpr std::array<std::string_view, 3> kAliasRasters = {"auto", "affine", "subdivision"};
+
 constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
 
 }  // namespace
@@ -51,6 +53,13 @@ RenderSettings::RenderSettings(command::Variables& variables) {
                                           "Relights half of the faces in each frame where light changes.");
   band_rows_ = variables.add_int("r_band_rows", defaults.band_rows, 0, 8192,
                                  "Scan lines in one piece of threaded work; 0: chosen from the size.");
+  alias_raster_ =
+      variables.add_choice("r_alias_raster", kAliasRasters,
+                           "How the triangles of models are filled: scan line by scan line, by "
+                           "recursive subdivision, or each model by the one that suits its size.");
+  alias_snap_ = variables.add_bool("r_alias_snap", defaults.alias_snap,
+                                   "Moves vertices of models to whole pixels and leaves their textures "
+                                   "without perspective, as the original.");
   show_ = variables.add_choice("r_show", kShows, "Draws how the picture was made instead of the picture.");
 }
 
@@ -72,6 +81,8 @@ render::Settings RenderSettings::read(const command::Variables& variables) const
   settings.coloured_light = variables.bool_value(coloured_light_);
   settings.relight_alternate = variables.bool_value(relight_alternate_);
   settings.band_rows = static_cast<int>(variables.int_value(band_rows_));
+  settings.alias_raster = static_cast<render::AliasRaster>(variables.choice_value(alias_raster_));
+  settings.alias_snap = variables.bool_value(alias_snap_);
   settings.show = static_cast<render::Show>(variables.choice_value(show_));
   return settings;
 }

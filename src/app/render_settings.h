@@ -18,7 +18,7 @@ class RenderSettings {
  private:
   command::VariableIndex threads_, job_backend_, mip_rule_, force_mip_, perspective_, vector_kernels_,
       prefetch_, surface_cache_, cache_mb_, use_pvs_, fill_depth_, coloured_light_, relight_alternate_,
-      band_rows_, show_;
+      band_rows_, show_, alias_raster_, alias_snap_;
 };
 
 }  // namespace temblor::app

@@ -1,9 +1,9 @@
 // The game's 2-D pictures: gfx.wad's lumps and gfx/*.lmp, loaded once.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "formats/picture.h"
@@ -13,16 +13,18 @@ namespace temblor::assets {
 
 class Pictures {
  public:
-  // What is missing or damaged is a checker in its place, with one line in `io_notes` for all of it.
+  // All of gfx.wad and all of gfx/. What a stock game has and is missing here, or damaged, is a checker of
+  // its size in its place, with one line in `io_notes` for all of it.
   static Pictures load(const vfs::FileSystem& files, std::vector<std::string>& io_notes);
 
-  // "sbar", "num_0" (gfx.wad), "gfx/complete.lmp". Null only for a name that no stock game has.
+  // "sbar", "num_0" (gfx.wad), "gfx/complete.lmp"; case does not matter. Null only for a name that neither
+  // these files nor a stock game have. Valid while this lives, also when it is moved.
   const formats::Picture* find(std::string_view name) const;
   // 16 rows of 16 characters of 8 x 8 pixels.
   const formats::Picture& characters() const { return characters_; }
 
  private:
-  std::unordered_map<std::string, formats::Picture> pictures_;
+  std::map<std::string, formats::Picture, std::less<>> pictures_;  // by name in lower case
   formats::Picture characters_;
 };
 

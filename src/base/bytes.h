@@ -3,10 +3,12 @@
 // once per record.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -70,6 +72,18 @@ class ByteReader {
     std::string_view text = as_text(take(width));
     return std::string(text.substr(0, text.find('\0')));
   }
+  // Text up to the next zero, which is passed over. Nothing and !ok() when there is none.
+  std::optional<std::string_view> text() {
+    const std::string_view rest = as_text(bytes_.subspan(offset_));
+    const std::size_t size = rest.find('\0');
+    if (size == std::string_view::npos) {
+      ok_ = false;
+      offset_ = bytes_.size();
+      return std::nullopt;
+    }
+    offset_ += size + 1;
+    return rest.substr(0, size);
+  }
   // Moves to an absolute offset; !ok() past the end.
   void seek(std::size_t offset) {
     ok_ = ok_ && offset <= bytes_.size();
@@ -112,6 +126,9 @@ class ByteWriter {
     static_assert(std::is_arithmetic_v<T>);
     std::memcpy(bytes_.data() + offset, &value, sizeof(T));
   }
+
+  // Takes back what was written from `size` on.
+  void truncate(std::size_t size) { bytes_.resize(std::min(size, bytes_.size())); }
 
   std::size_t size() const { return bytes_.size(); }
   ByteVector take() && { return std::move(bytes_); }

@@ -6,6 +6,9 @@
 
 namespace temblor::base {
 
+// What splitmix64 adds from number to number: odd, its bits without pattern.
+constexpr std::uint64_t kGoldenGamma = 0x9e3779b97f4a7c15u;
+
 // The last step of splitmix64 (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", 2014):
 // every bit of the input changes half of the output's.
 constexpr std::uint64_t mixed_bits(std::uint64_t value) {
@@ -16,7 +19,7 @@ constexpr std::uint64_t mixed_bits(std::uint64_t value) {
 
 // The hash of a sequence, one value after another.
 constexpr std::uint64_t hash_with(std::uint64_t hash, std::uint64_t value) {
-  return mixed_bits((hash ^ value) + 0x9e3779b97f4a7c15u);
+  return mixed_bits((hash ^ value) + kGoldenGamma);
 }
 
 // 0 and -0 are one value.

@@ -3,13 +3,14 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "client/entity_table.h"
+#include "client/interpolation.h"
 #include "client/seen_entity.h"
 #include "net/server_message.h"
 #include "world/animation.h"
@@ -42,6 +43,17 @@ struct Player {
 
 enum class Ending { kNone, kIntermission, kFinale, kCutScene };
 
+constexpr int kPlaying = 4;
+// Half a year. Times are told as 32-bit floats: long before, they come in whole seconds.
+constexpr float kMaxServerTime_s = 1 << 24;
+
+// Fog as a mixture of the level's own, which the server's messages do not say, and what they have said.
+struct FogMixture {
+  float share_of_level = 1;
+  float density = 0;  // to be added
+  math::Vec3 colour{0.0f};
+};
+
 // What holds from serverinfo on, until the next one.
 struct Game {
   net::Dialect dialect;
@@ -50,7 +62,7 @@ struct Game {
   std::vector<std::string> models;  // [0] is empty; [1] is the level, "maps/e1m1.bsp"; "*1" a part of it
   std::vector<std::string> sounds;  // [0] is empty
   std::vector<Player> players;      // max_clients of them
-  int signon = 0;                   // 4: playing
+  int signon = 0;                   // kPlaying: entities have come
   std::uint16_t view_entity = 0;
   std::array<std::int32_t, net::kStats> stats{};
   net::ClientData data;  // of the last update
@@ -64,11 +76,16 @@ struct Game {
   double center_text_since_s = 0;
   std::uint8_t music_track = 0;
   std::optional<std::string> skybox;  // as the server said; else as the level says
-  std::optional<net::Fog> fog;        // alike
-  double fog_since_s = 0;
+  std::optional<net::Fog> fog;        // alike; see fog_at()
+  double fog_since_s = 0;             // when it began to come in, which takes fog->fade_s
+  FogMixture fog_before;              // what it comes in over
 
   std::int32_t stat(Stat stat) const { return stats[static_cast<std::size_t>(stat)]; }
 };
+
+FogMixture fog_mixture_at(const Game& game, double time_s);
+// The fog at that time, where the level's own is `of_level`. Its fade_s is 0: it is as it is.
+net::Fog fog_at(const Game& game, const net::Fog& of_level, double time_s);
 
 // What happened once. The client acts on it (effects, sounds, flashes) and clears it.
 struct Events {
@@ -76,12 +93,14 @@ struct Events {
   std::vector<net::Particles> particles;
   std::vector<net::Damage> damages;
   std::vector<net::Sound> sounds;
+  std::vector<net::StopSound> stopped_sounds;  // after all of `sounds`
   std::vector<net::SpawnStaticSound> static_sounds;
-  std::vector<std::string> prints;    // lines for the console
-  std::vector<std::string> commands;  // stufftext
-  int bonus_flashes = 0;
-  bool new_level = false;  // a serverinfo came
-  void clear() { *this = {}; }
+  std::vector<std::string> prints;    // text for the console, as it came
+  std::vector<std::string> commands;  // stuffed by the server: whole lines, without their ends
+  int bonus_flashes = 0;              // messages, and lines "bf" of stuffed text
+  bool new_level = false;  // a serverinfo came; what happened before it in the old level is left out
+  // Keeps the memory.
+  void clear();
 };
 
 struct ClientSettings {
@@ -91,31 +110,43 @@ struct ClientSettings {
   std::vector<bool> no_lerp_models;
 };
 
+// Warm, it takes no memory for a packet but for text.
 class ClientState {
  public:
   // Fails on what makes no sense after what came before (an entity number out of range, an update before
-  // serverinfo); the state is then as if the message had not come.
+  // serverinfo); the state is then as if the message had not come. Model and sound numbers may be past the
+  // end of their lists.
   base::Status apply(const net::ServerMessage& message);
-  // After the last message of a packet or recorded message: entities that it left out are gone.
+  // After the last message of a packet or recorded message: entities that it left out are gone, if it had a
+  // time.
   void end_packet();
 
   const Game& game() const { return game_; }
   Events& events() { return events_; }
+  const Events& events() const { return events_; }
 
-  // The server's times of the last two packets. Drawing happens between them.
-  double time_s() const { return time_s_; }
+  // The server's times of the last two packets, the same before there were two. Drawing happens between them.
+  double time_s() const { return window_.end_s; }
   double previous_time_s() const { return previous_time_s_; }
 
   // All entities that the last packet showed, and the static ones, as they are at `time_s`, in order of
   // number. Valid until the next call.
   std::span<const SeenEntity> entities_at(double time_s, const ClientSettings& settings);
+  FrameBlend weapon_frame_at(double time_s, const ClientSettings& settings) const;
+  // The last packet put the view somewhere else: what is drawn must not glide there.
+  bool view_has_jumped() const { return entities_.has_jumped(game_.view_entity); }
 
  private:
+  struct Apply;  // one function for each kind of message
+
   Game game_;
   Events events_;
-  double time_s_ = 0, previous_time_s_ = 0;
-  struct Entities;
-  std::shared_ptr<Entities> entities_;
+  std::string command_line_;  // stuffed text whose line end has not come yet
+  double previous_time_s_ = 0;
+  PacketWindow window_;
+  bool has_time_ = false;  // of this level
+  EntityTable entities_;
+  FrameChanges weapon_;
 };
 
 }  // namespace temblor::client

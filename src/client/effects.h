@@ -1,11 +1,13 @@
 // What the client makes up by itself around what the server says: particles, trails, dynamic lights,
-// lightning, marks. Behaves as the original did, but for what depended on its frame rate.
+// lightning, marks. Behaves as the original did, but for what depended on its frame rate: what there is at a
+// time does not depend on how often it was asked for before.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <span>
 
+#include "client/beams.h"
 #include "client/client_state.h"
 #include "client/seen_entity.h"
 #include "render/scene.h"
@@ -15,15 +17,7 @@ namespace temblor::client {
 
 struct EffectsSettings {
   std::size_t max_particles = 16384;  // r_particles_max; further ones are left out
-  bool marks = false;                 // r_marks
-};
-
-enum class BeamModel : std::uint8_t { kBolt, kBolt2, kBolt3, kBeam };
-
-// A piece of lightning: one model along its way.
-struct BeamPiece {
-  BeamModel model{};
-  math::Vec3 origin_world{0.0f}, angles_deg{0.0f};
+  bool marks = false;                 // r_marks; turned off, the marks that there are go
 };
 
 // What an effect needs to know of the moment.
@@ -31,9 +25,12 @@ struct Moment {
   const world::Level& level;
   double time_s;
   std::span<const SeenEntity> entities;
-  std::span<const std::uint32_t> model_flags;  // formats::MdlFlags by precache number
+  std::span<const std::uint32_t> model_flags;  // formats::MdlFlags by precache number; missing ones: none
   std::uint32_t view_entity;
 };
+
+// The yaw of models that turn by themselves (formats::kMdlRotate), 0 to 360.
+float rotated_yaw_deg(double time_s);
 
 class Effects {
  public:
@@ -43,11 +40,13 @@ class Effects {
 
   void begin_level();
   // What happened, then what goes on, up to `moment`. Time must not run backwards; if it does (a demo
-  // rewound), all that was under way ends.
+  // rewound), all that was under way ends. When it stands still, nothing goes on. Once warm it asks the heap
+  // for nothing, but for the first mark on a face.
   void advance(const Events& events, const Moment& moment, const EffectsSettings& settings);
 
   // Valid until the next advance().
   render::ParticleCloud particles() const;
+  std::size_t particles_left_out() const;  // of this level, for want of room
   std::span<const render::DynamicLight> lights() const;
   std::span<const BeamPiece> beams() const;
   const render::MarkSet& marks() const;

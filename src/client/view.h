@@ -7,6 +7,8 @@
 
 #include "client/client_state.h"
 #include "client/seen_entity.h"
+#include "client/view_motion.h"
+#include "client/view_tint.h"
 #include "render/scene.h"
 #include "world/level.h"
 
@@ -17,6 +19,9 @@ struct ViewSettings {
   float bob = 1, roll = 1, kick = 1;
   float damage_tint = 1, bonus_tint = 1, powerup_tint = 1, contents_tint = 1;
   float fov_deg = 90;
+  // Units by which the weapon is held higher, to stand clear of the status bar: the original's 2 above its
+  // whole bar, 1 above the small one, 0 without.
+  float weapon_rise = 2;
 };
 
 struct ViewMoment {
@@ -32,23 +37,34 @@ struct PlayerView {
   bool underwater = false;
   world::Contents contents = world::Contents::kEmpty;  // at the eye
   bool show_weapon = true;
-  math::Vec3 weapon_origin_world{0.0f}, weapon_angles_deg{0.0f};
+  math::Vec3 weapon_origin_world{0.0f};
+  math::Vec3 weapon_angles_deg{0.0f};  // pitch is positive upwards, as alias models have it
 };
 
 class View {
  public:
-  void begin_level();
+  void begin_level() { *this = {}; }
+  // What is to be seen at `moment`, after `events`. Time must not run backwards; if it does (a demo rewound),
+  // whatever was fading has ended.
   PlayerView advance(const Game& game, const Events& events, const ViewMoment& moment,
                      const ViewSettings& settings);
 
  private:
+  void follow(const Game& game, const Events& events, const ViewMoment& moment);
+  void follow_place(const ViewMoment& moment, bool on_ground, double passed_s);
+  void look_on(const ViewMoment& moment, PlayerView& io_view) const;
+  void look_out(const Game& game, const ViewMoment& moment, const ViewSettings& settings,
+                PlayerView& io_view) const;
+  render::Tint tint(const Game& game, world::Contents contents, const ViewSettings& settings) const;
+
   double last_time_s_ = 0;
-  double damage_kick_until_s_ = 0;
-  float kick_roll_deg_ = 0, kick_pitch_deg_ = 0;
-  float damage_percent_ = 0, bonus_percent_ = 0;
-  math::Vec3 damage_colour_{0.0f};
-  float stair_z_ = 0;
-  math::Vec3 last_origin_{0.0f};
+  bool begun_ = false;
+  math::Vec3 place_world_{0.0f}, place_angles_deg_{0.0f};  // of the view entity, when last seen
+  float stairs_behind_ = 0;
+  StairSmoothing stairs_;
+  DamageKick kick_;
+  EasedVector velocity_, punch_deg_;
+  FadingTints fading_;
 };
 
 }  // namespace temblor::client

@@ -10,4 +10,7 @@ namespace temblor::formats {
 // for an empty list (no group).
 std::size_t group_member_at(std::span<const float> end_times_s, double time_s);
 
+// What may stand as a group's end times: finite, above zero, each greater than the one before.
+bool are_group_times(std::span<const float> end_times_s);
+
 }  // namespace temblor::formats

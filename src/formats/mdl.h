@@ -13,9 +13,13 @@
 namespace temblor::formats {
 
 // What a file may hold; far above what stock games and mods use.
-constexpr std::uint32_t kMaxMdlVertices = 1 << 16, kMaxMdlTriangles = 1 << 17, kMaxMdlPoses = 1 << 14;
+constexpr std::uint32_t kMaxMdlVertices = 1 << 16, kMaxMdlTriangles = 1 << 17, kMaxMdlPoses = 1 << 14,
+                        kMaxMdlSkins = 1 << 14;
 constexpr std::uint32_t kMaxMdlSkinSide = 1 << 13;  // texels
+constexpr std::int32_t kMaxMdlTexel = 1 << 16;
 constexpr std::size_t kMdlNormals = 162;
+// Of a vertex, in units along an axis: |scale| * 255 + |origin| at most.
+constexpr float kMaxMdlCoordinate = 1 << 20;
 
 // Effects that a model asks for wherever it is used.
 enum MdlFlags : std::uint32_t {
@@ -37,7 +41,8 @@ struct MdlVertex {
   bool operator==(const MdlVertex&) const = default;
 };
 
-// Where a vertex lies on the skin, in texels. On a triangle that faces the back, vertices on the seam lie
+// Where a vertex lies on the skin, in texels; within kMaxMdlTexel of the skin's corner, but not always on the
+// skin. On a triangle that faces the back, vertices on the seam lie
 // half a skin's width further right.
 struct MdlTexel {
   bool on_seam = false;

@@ -10,6 +10,7 @@
 namespace temblor::formats {
 
 constexpr std::uint32_t kMaxSprSide = 1 << 12, kMaxSprPictures = 1 << 14;  // texels; in a file
+constexpr std::int32_t kMaxSprOffset = 1 << 16;                            // units
 
 enum class SprOrientation : std::uint32_t {
   kParallelUpright = 0,   // turned towards the view's plane, standing upright
@@ -20,7 +21,8 @@ enum class SprOrientation : std::uint32_t {
 };
 
 struct SprPicture {
-  std::int32_t left = 0, up = 0;        // from the origin to the picture's left and top edge, in units
+  std::int32_t left = 0, up = 0;  // from the origin to the picture's left and top edge, in units; at most
+                                  // kMaxSprOffset either way
   std::uint32_t width = 0, height = 0;  // texels, one unit each; 1 to kMaxSprSide
   std::vector<std::uint8_t> texels;     // palette indices, row by row; 255 is transparent
   bool operator==(const SprPicture&) const = default;

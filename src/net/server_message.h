@@ -56,11 +56,11 @@ struct SetAngle {
 };
 // Precache lists: numbers start at 1.
 struct ServerInfo {
-  Dialect dialect;
+  Dialect dialect{};
   std::uint8_t max_clients = 1;
   std::uint8_t game_type = 0;  // 0 co-operative, 1 deathmatch
-  std::string_view level_name;
-  std::span<const std::string_view> models, sounds;  // valid until the reader's next message
+  std::string_view level_name{};
+  std::span<const std::string_view> models{}, sounds{};  // valid until the reader's next message
 };
 struct LightStyle {
   std::uint8_t style = 0;
@@ -121,12 +121,12 @@ struct SpawnBaseline {
 // What of an entity differs from its baseline.
 struct EntityUpdate {
   std::uint16_t number = 0;
-  std::optional<std::uint16_t> model, frame;
-  std::optional<std::uint8_t> colormap, skin, effects;
-  std::array<std::optional<float>, 3> origin, angles_deg;
-  std::optional<float> alpha, scale;
-  std::optional<float> next_think_s;  // until its next frame, from now
-  bool step = false;                  // moves by steps: not to be interpolated as a flight is
+  std::optional<std::uint16_t> model{}, frame{};
+  std::optional<std::uint8_t> colormap{}, skin{}, effects{};
+  std::array<std::optional<float>, 3> origin{}, angles_deg{};
+  std::optional<float> alpha{}, scale{};
+  std::optional<float> next_think_s{};  // until its next frame, from now
+  bool step = false;                    // moves by steps: not to be interpolated as a flight is
 };
 
 enum class TempEntityKind : std::uint8_t {

@@ -11,10 +11,19 @@
 #include "render/colour/colour_tables.h"
 #include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
+#include "render/models/draw_alias_models.h"
+#include "render/models/draw_particles.h"
+#include "render/models/draw_sprites.h"
+#include "render/screen/draw_overlay.h"
+#include "render/screen/fog_picture.h"
 #include "render/screen/show.h"
+#include "render/screen/tint_picture.h"
+#include "render/screen/warp.h"
 #include "render/spans/draw_spans.h"
+#include "render/surfaces/cutout_textures.h"
 #include "render/surfaces/draw_items.h"
 #include "render/surfaces/surface_cache.h"
+#include "render/translucent/late_faces.h"
 #include "render/view/level_tables.h"
 #include "render/view/view_frame.h"
 #include "render/view/visible_faces.h"
@@ -63,6 +72,11 @@ int choose_band_rows(const Settings& settings, int width, int height, PixelForma
   return std::min(rows, height);
 }
 
+// Whether anything is drawn after the edge list.
+bool needs_depth(const Scene& scene, const EdgeTable& edges) {
+  return edges.late_count() > 0 || scene.fog.density > 0;
+}
+
 void count_seen(const EdgeTable& edges, const SpanTable& spans, const DrawItems& items,
                 FrameStats& io_stats) {
   for (const Band& band : spans.bands) io_stats.spans += static_cast<std::uint32_t>(band.runs.size());
@@ -93,12 +107,16 @@ struct Renderer::State {
   base::JobBackend job_backend{};
   base::Arena arena;
   std::vector<EdgeJobArenas> edge_arenas;
-  std::vector<base::Arena> band_arenas, job_arenas;
+  std::vector<base::Arena> band_arenas, job_arenas, model_arenas;
   std::vector<std::uint8_t> pvs_row;
   std::shared_ptr<const world::LevelIdentity> level;
   LevelTables level_tables;
   FaceOutlines face_outlines;
+  CutoutTextures cutouts;
   SurfaceCache cache;
+  PreparedSkybox skybox;
+  FogTables fog_tables;
+  Warp warp;
 
   // The last frame, for pixel_faces: it lives in the arenas until the next one.
   int width = 0, height = 0;
@@ -117,6 +135,7 @@ struct Renderer::State {
     level = now.identity;
     level_tables = make_level_tables(now);
     face_outlines = make_face_outlines(now);
+    cutouts = CutoutTextures(now, colour_tables);
   }
 };
 
@@ -138,24 +157,52 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   s.arena.reset();
   const int width = io_frame.width(), height = io_frame.height();
   CHECK(width >= 1 && width <= 8192 && height >= 1 && height <= 8192, "{}x{}", width, height);
-  const int band_rows = choose_band_rows(settings, width, height, io_frame.format());
+  const PixelFormat format = io_frame.format();
+  const int band_rows = choose_band_rows(settings, width, height, format);
 
   StageClock clock(stats);
   const ViewFrame view = make_view_frame(scene, width, height);
   clock.end(Stage::kView);
   const VisibleFaces visible =
-      find_visible_faces(*scene.level, s.level_tables, view, settings.use_pvs, s.arena, s.pvs_row);
+      find_visible_faces(*scene.level, s.level_tables, view, world_opacities(scene, s.arena),
+                         settings.use_pvs, s.arena, s.pvs_row);
   clock.end(Stage::kVisibility);
   s.edges = emit_edges(scene, view, visible, s.face_outlines, *s.jobs, s.arena, s.edge_arenas);
   clock.end(Stage::kEdges);
+  settings.fill_depth |= needs_depth(scene, s.edges);
   s.spans = scan_edges(s.edges, scene, view, band_rows, *s.jobs, s.arena, s.band_arenas);
   clock.end(Stage::kScan);
-  s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.colour_tables,
-                             s.mark_look ? &*s.mark_look : nullptr, io_frame.format(), *s.jobs, s.arena,
-                             s.job_arenas, s.cache, stats);
+  s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.colour_tables, s.cutouts,
+                             s.mark_look ? &*s.mark_look : nullptr, format, *s.jobs, s.arena, s.job_arenas,
+                             s.cache, stats);
   clock.end(Stage::kSurfaces);
-  draw_spans(scene, settings, view, s.spans, s.items, s.colour_tables, *s.jobs, s.arena, io_frame);
+  const SpanSources sources =
+      prepare_span_sources(scene, settings, view, s.items, s.colour_tables, format, s.skybox, s.arena);
+  draw_spans(settings, view, s.spans, sources, s.colour_tables, *s.jobs, io_frame);
   clock.end(Stage::kSpans);
+  if (settings.fill_depth) {  // what follows is tested against it
+    draw_alias_models(scene, settings, view, band_rows, s.colour_tables, *s.jobs, s.arena, s.model_arenas,
+                      io_frame);
+    clock.end(Stage::kModels);
+    draw_sprites(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    clock.end(Stage::kSprites);
+    draw_particles(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    clock.end(Stage::kParticles);
+  }
+
+  const FrameFog fog(scene.fog, view.perspective, format, s.colour_tables, s.fog_tables,
+                     settings.vector_kernels);
+  const LateFaces late = sort_late_faces(scene, visible, s.edges, s.spans, s.items, s.arena);
+  const LateTarget late_target{s.spans, s.edges, sources, s.colour_tables, fog, view};
+  draw_late_faces(late.opaque, late_target, *s.jobs, s.job_arenas, io_frame);
+  clock.end(Stage::kTranslucent);
+  fog_picture(fog, s.spans, s.items, *s.jobs, io_frame);
+  clock.end(Stage::kScreen);
+  draw_late_faces(late.translucent, late_target, *s.jobs, s.job_arenas, io_frame);
+  clock.end(Stage::kTranslucent);
+  if (scene.underwater) s.warp.apply(scene.time_s, *s.jobs, io_frame);
+  tint_picture(scene.tint, s.colour_tables, settings.vector_kernels, *s.jobs, io_frame);
+  clock.end(Stage::kScreen);
 
   if (settings.show != Show::kPicture)
     draw_shown(settings.show, {*scene.level, view, s.edges, s.spans, s.items}, s.colour_tables.palette,
@@ -170,6 +217,10 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   return stats;
 }
 
+void Renderer::draw_overlay(const DrawList& list, FrameBuffer& io_frame) const {
+  render::draw_overlay(list, state_->colour_tables, io_frame);
+}
+
 void Renderer::pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_t> out_writes) const {
   const State& s = *state_;
   const std::size_t pixels = static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height);
@@ -177,6 +228,7 @@ void Renderer::pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_
   std::fill(out_writes.begin(), out_writes.end(), std::uint8_t{0});
   for (const Band& band : s.spans.bands)
     for (std::size_t position = 0; position < band.items.size(); ++position) {
+      if (band.items[position] >= s.items.first_late) break;
       const ScreenSurface& surface =
           s.edges.surfaces[base::to_size(s.items.items[band.items[position]].surface)];
       const PixelFace face = band.items[position] == 0

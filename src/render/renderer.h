@@ -8,6 +8,7 @@
 
 #include "base/parallel_for.h"
 #include "formats/palette.h"
+#include "render/draw_list.h"
 #include "render/frame.h"
 #include "render/scene.h"
 
@@ -15,6 +16,8 @@ namespace temblor::render {
 
 enum class MipRule { kStock, kFootprint };
 enum class Perspective { kExact, kEvery16 };
+// Triangles of alias models: kAuto takes for each model the faster one that shows no difference.
+enum class AliasRaster { kAuto, kAffine, kSubdivision };
 enum class Show { kPicture, kFaces, kEdges, kSpans, kSurfaces, kMips, kPvs, kOverdraw, kDepth };
 
 struct Settings {
@@ -28,12 +31,15 @@ struct Settings {
   bool surface_cache = true;   // false: everything is built anew for each frame
   std::size_t cache_bytes = std::size_t{256} << 20;
   bool use_pvs = true;
-  bool fill_depth = true;      // false: for measuring what filling 1/z costs
+  // False: for measuring what filling 1/z costs; nothing that needs it (models) is drawn then.
+  bool fill_depth = true;
   bool coloured_light = true;  // false: grey light also where the level has colours
+  AliasRaster alias_raster = AliasRaster::kAuto;
+  bool alias_snap = false;  // alias models' vertices at whole pixels and textures affine, as the original
   // Faces of odd and of even number follow changes of light in turn, each every second frame, and show the
   // light of the frame before in between (Scene::light_before).
   bool relight_alternate = false;
-  int band_rows = 0;           // scan lines a band; 0: chosen from size and threads
+  int band_rows = 0;  // scan lines a band; 0: chosen from size and threads
   Show show = Show::kPicture;
   bool operator==(const Settings&) const = default;
 };
@@ -56,6 +62,11 @@ class Renderer {
   // Draws `scene` into every pixel of `io_frame`. Width and height from 1 to 8192. The same scene and
   // settings give the same pixels, whatever was drawn before and however many threads.
   FrameStats render(const Scene& scene, const Settings& settings, FrameBuffer& io_frame);
+
+  // Draws `list` over `io_frame`, command by command. CHECKs that parts lie in their pictures; areas may lie
+  // anywhere. Opacity is blended exactly in rgb; in indexed colour it is rounded to a sixteenth, and the
+  // palette's nearest colour is shown.
+  void draw_overlay(const DrawList& list, FrameBuffer& io_frame) const;
 
   // The last frame's spans, expanded: one entry a pixel, and how often each pixel was written. For tests.
   void pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_t> out_writes) const;

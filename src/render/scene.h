@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -90,10 +91,17 @@ struct Fog {
   math::Vec3 colour{0.0f};  // 0 to 1
 };
 
-// Six true-colour pictures in place of the sky's texture.
+// Tells skyboxes apart, as LevelIdentity does levels.
+struct SkyboxIdentity {};
+
+// Six true-colour pictures in place of the sky's texture. Sides do not change once it has been drawn: whoever
+// wants others makes another skybox.
 struct Skybox {
-  // Right (-y), back (-x), left (+y), front (+x), up, down; empty ones show the fog's colour or black.
+  // By the names of their files right (+x), back (+y), left (-x), front (-y), up (its lower edge at the right
+  // side's upper one), down (its upper edge at the right side's lower one); seen from inside. Empty ones show
+  // the fog's colour or black.
   std::array<formats::Image, 6> sides;
+  std::shared_ptr<const SkyboxIdentity> identity = std::make_shared<const SkyboxIdentity>();
 };
 
 // Colour laid over the finished view.

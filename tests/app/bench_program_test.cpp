@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
-#include "app/small_game.h"
 #include "render/frame.h"
+#include "support/small_game.h"
 
 namespace temblor::test {
 namespace {

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
-#include "app/small_game.h"
 #include "formats/entities.h"
 #include "formats/lit.h"
 #include "formats/pak.h"
@@ -14,6 +13,8 @@
 #include "formats/pk3.h"
 #include "formats/wad.h"
 #include "support/game_data.h"
+#include "support/small_game.h"
+#include "support/small_models.h"
 
 namespace temblor::test {
 namespace {
@@ -123,6 +124,90 @@ TEST_F(InspectProgram, PicturesPalettesAndColormaps) {
   EXPECT_EQ(inspect("colormap.lmp", formats::write_colormap(colormap)).at("problems").size(), 2u);
 }
 
+TEST_F(InspectProgram, Models) {
+  const formats::Mdl mdl = small_mdl();
+  const json object = inspect("x.mdl", formats::write_mdl(mdl));
+  EXPECT_EQ(object.at("format"), "model");
+  // Its bytes go from 0 to 255 along each axis.
+  EXPECT_EQ(object.at("mins"), (json{-8.0, -4.0, 2.5}));
+  EXPECT_EQ(object.at("maxs"), (json{-8 + 255 * 0.5, -4 + 255 * 0.25, 2.5 + 255}));
+  EXPECT_EQ(object.at("eye"), (json{1.0, 2.0, 3.0}));
+  EXPECT_EQ(object.at("skin width"), 7);
+  EXPECT_EQ(object.at("flags"), (json{"rotate", "tracer 3"}));
+  EXPECT_EQ(object.at("counts"), (json{{"vertices", 4},
+                                       {"triangles", 4},
+                                       {"skins", 2},
+                                       {"skin pictures", 3},
+                                       {"frames", 2},
+                                       {"poses", 4}}));
+  EXPECT_EQ(object.at("skins").at(0), (json{{"pictures", 1}}));
+  EXPECT_EQ(object.at("skins").at(1), (json{{"pictures", 2}, {"seconds", 1.0}}));
+  EXPECT_EQ(object.at("frames").at(0), (json{{"name", "stand"}, {"poses", 1}}));
+  EXPECT_EQ(object.at("frames").at(1), (json{{"name", "run1"}, {"poses", 3}, {"seconds", 0.5}}));
+  // Seven texels are not a multiple of four: all else is as it should be.
+  EXPECT_EQ(object.at("problems").size(), 1u) << object.at("problems");
+  EXPECT_THAT(object.at("problems").dump(), HasSubstr("7 texels wide"));
+}
+
+TEST_F(InspectProgram, ProblemsOfAModelThatCanBeDrawn) {
+  formats::Mdl mdl = small_mdl();
+  const auto problems_of = [&](const formats::Mdl& model, std::size_t tail_bytes = 0) {
+    base::ByteVector bytes = formats::write_mdl(model);
+    bytes.resize(bytes.size() + tail_bytes);
+    return inspect("x.mdl", bytes).at("problems").dump();
+  };
+  mdl.skin_width = 4;
+  mdl.skins = {{{std::vector<std::uint8_t>(4 * 3)}, {}}};
+  mdl.texels = {{false, 0, 0}, {true, 1, 0}, {true, 1, 2}, {false, 3, 2}};
+  EXPECT_EQ(problems_of(mdl), "[]");
+  EXPECT_THAT(problems_of(mdl, 5), HasSubstr("5 bytes follow the last frame"));
+
+  formats::Mdl lying = mdl;
+  lying.frames[1].poses[2].maxs.position[1] = 254;
+  lying.frames[1].maxs.position[2] = 254;
+  EXPECT_THAT(problems_of(lying), HasSubstr("outside their own box: 1 (the first is frame 1)"));
+  EXPECT_THAT(problems_of(lying), HasSubstr("outside the group's box: 1 (the first is frame 1)"));
+
+  formats::Mdl idle = mdl;
+  idle.triangles = {{true, {0, 1, 1}}};
+  EXPECT_THAT(problems_of(idle), HasSubstr("vertices that no triangle uses: 2"));
+  EXPECT_THAT(problems_of(idle), HasSubstr("triangles that use a vertex twice: 1"));
+
+  // Vertex 1 is on the seam, and 2 of the 4 triangles face the back: one of those uses it.
+  formats::Mdl off_skin = mdl;
+  off_skin.texels[1].s = 2;
+  EXPECT_THAT(problems_of(off_skin), HasSubstr("off the skin: 1\""));
+
+  formats::Mdl large = mdl;
+  large.texels.resize(2001);
+  for (formats::MdlFrame& frame : large.frames)
+    for (formats::MdlPose& pose : frame.poses) pose.vertices.resize(2001);
+  large.flags |= 1u << 14;
+  EXPECT_THAT(problems_of(large), HasSubstr("2001 vertices: the original engine allows 2000"));
+  EXPECT_THAT(problems_of(large), HasSubstr("unknown bits"));
+}
+
+TEST_F(InspectProgram, Sprites) {
+  formats::Spr spr = small_spr();
+  const json object = inspect("x.spr", formats::write_spr(spr));
+  EXPECT_EQ(object.at("format"), "sprite");
+  EXPECT_EQ(object.at("orientation"), "parallel oriented");
+  EXPECT_EQ(object.at("counts"), (json{{"frames", 2}, {"pictures", 3}}));
+  EXPECT_EQ(object.at("frames").at(0),
+            (json{{"pictures", 1}, {"left", -1}, {"up", 1}, {"width", 3}, {"height", 2}}));
+  EXPECT_EQ(object.at("frames").at(1).at("seconds"), 0.75);
+  EXPECT_TRUE(object.at("problems").empty()) << object.at("problems");
+
+  spr.max_width = 2;
+  spr.frames[1].pictures[1].texels = {255, 255};
+  base::ByteVector bytes = formats::write_spr(spr);
+  bytes.push_back(std::byte{1});
+  const std::string problems = inspect("x.spr", bytes).at("problems").dump();
+  EXPECT_THAT(problems, HasSubstr("larger than the header's largest: 1 (the first is frame 0)"));
+  EXPECT_THAT(problems, HasSubstr("without a visible texel: 1 (the first is frame 1)"));
+  EXPECT_THAT(problems, HasSubstr("1 bytes follow"));
+}
+
 TEST_F(InspectProgram, TextHasTheSameFacts) {
   const SmallGame game;
   const ProgramRun run = run_program(game.path(), {"inspect", "id1/maps/small.bsp"});
@@ -149,8 +234,9 @@ TEST_F(InspectProgram, NamesInAnyEncodingGiveValidJson) {
 TEST_F(InspectProgram, StockFiles) {
   DATA_FOLDER_OR_SKIP(data);
   const std::filesystem::path base = std::filesystem::absolute(data);
-  for (const char* name : {"id1/maps/start.bsp", "id1/maps/start.lit", "id1/gfx.wad", "id1/gfx/palette.lmp",
-                           "id1/gfx/colormap.lmp", "id1/gfx/conback.lmp"}) {
+  for (const char* name :
+       {"id1/maps/start.bsp", "id1/maps/start.lit", "id1/gfx.wad", "id1/gfx/palette.lmp",
+        "id1/gfx/colormap.lmp", "id1/gfx/conback.lmp", "id1/progs/player.mdl", "id1/progs/s_explod.spr"}) {
     const ProgramRun run = run_program(base, {"inspect", "--json", name});
     EXPECT_EQ(run.exit_status, 0) << run.err;
     EXPECT_EQ(json::parse(run.out).at("file"), name);

@@ -14,6 +14,7 @@
 #include "app/level_scene.h"
 #include "app/options.h"
 #include "app/picture_file.h"
+#include "app/progress.h"
 #include "app/render_settings.h"
 #include "app/viewpoints.h"
 #include "artgen/small_level.h"
@@ -37,6 +38,28 @@ TEST(ParseVec3, TakesThreeNumbers) {
   for (const char* wrong :
        {"", "1", "1,2", "1,2,3,4", "1,2,", ",,", "a,b,c", "1,2,inf", "1, 2,3", "1e99,0,0"})
     EXPECT_FALSE(parse_vec3(wrong).ok()) << wrong;
+}
+
+TEST(ParseFrameRange, TakesACountOrARange) {
+  const auto range = [](const char* text) {
+    const FrameRange parsed = parse_frame_range(text).value();
+    return std::pair(parsed.first, parsed.end);
+  };
+  EXPECT_EQ(range("7"), std::pair(std::size_t{0}, std::size_t{7}));
+  EXPECT_EQ(range("3:5"), std::pair(std::size_t{3}, std::size_t{5}));
+  EXPECT_EQ(range(":5"), std::pair(std::size_t{0}, std::size_t{5}));
+  EXPECT_EQ(range("3:"), std::pair(std::size_t{3}, kMaxFrames));
+  for (const char* wrong :
+       {"", ":", "0", "5:5", "6:5", "-1", "1:-1", "1.5", "a", "1:2:3", "1 :2", "99999999999"})
+    EXPECT_FALSE(parse_frame_range(wrong).ok()) << wrong;
+}
+
+TEST(DescribeProgress, SaysHowFarAndHowLong) {
+  EXPECT_EQ(describe_progress("frames", 0, 40, 0), "frames: [....................] 0 of 40");
+  EXPECT_EQ(describe_progress("frames", 10, 40, 5), "frames: [#####...............] 10 of 40, 15 s left");
+  EXPECT_EQ(describe_progress("frames", 1, 100, 1.5),
+            "frames: [....................] 1 of 100, 2 min 29 s left");
+  EXPECT_EQ(describe_progress("frames", 40, 40, 9), "frames: [####################] 40 of 40, 0 s left");
 }
 
 TEST(NumberedName, PutsTheNumberIn) {

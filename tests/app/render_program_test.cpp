@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "app/program.h"
-#include "app/small_game.h"
 #include "formats/entities.h"
 #include "support/game_data.h"
+#include "support/small_game.h"
 
 namespace temblor::test {
 namespace {

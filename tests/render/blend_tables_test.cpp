@@ -120,7 +120,8 @@ TEST(FogTables, FadeToTheFogAndFollowItsColour) {
   for (const math::Vec3 colour : {math::Vec3(0.2f, 0.5f, 0.9f), math::Vec3(1.0f, 0.0f, 0.0f)}) {
     const std::uint8_t* rows = fog.rows_for(colour, palette, match);
     const formats::Rgb bytes = to_bytes(colour);
-    for (std::size_t i = 0; i < 256; ++i) {
+    for (int row = 0; row < FogTables::kRows; ++row) ASSERT_EQ(rows[row * 256 + 255], 255);
+    for (std::size_t i = 0; i < 255; ++i) {
       ASSERT_EQ(rows[i], i);
       const bool fullbright = i >= kFirstFullbright;
       const auto mean = [](int a, int b) { return static_cast<std::uint8_t>((a + b + 1) / 2); };

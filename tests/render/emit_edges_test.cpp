@@ -70,8 +70,8 @@ void expect_same_for_any_jobs(const world::Level& level) {
     const render::ViewFrame view = render::make_view_frame(scene, 320, 200);
     base::Arena arena;
     std::vector<std::uint8_t> pvs_row;
-    const render::VisibleFaces visible =
-        render::find_visible_faces(level, level_tables, view, true, arena, pvs_row);
+    const render::VisibleFaces visible = render::find_visible_faces(
+        level, level_tables, view, world_opacities(scene, arena), true, arena, pvs_row);
     const EdgeTable expected = emit_edges(scene, view, visible, outlines, one, arena, job_arenas);
     for (base::Jobs* jobs : {&two, &four})
       for (const std::size_t faces_a_job : {std::size_t{1}, std::size_t{10}, render::kFacesAnEdgeJob}) {

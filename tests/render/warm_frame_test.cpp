@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "render/allocation_counter.h"
 #include "render/renderer.h"
+#include "support/allocation_counter.h"
 #include "support/drawable_level.h"
 #include "support/game_data.h"
 #include "support/viewpoints.h"
@@ -12,7 +12,9 @@
 namespace temblor::test {
 namespace {
 
-void expect_no_allocation(const DrawableLevel& drawable, const render::Settings& settings) {
+// `add` adds to each scene what it is to show besides the level.
+template <typename Add>
+void expect_no_allocation(const DrawableLevel& drawable, const render::Settings& settings, Add add) {
   constexpr int kViews = 10;
   std::vector<Viewpoint> viewpoints;
   for (int number = 0; number < kViews; ++number) {
@@ -30,7 +32,8 @@ void expect_no_allocation(const DrawableLevel& drawable, const render::Settings&
     const auto draw_all = [&] {
       std::size_t while_drawing = 0;
       for (const Viewpoint& viewpoint : viewpoints) {
-        const render::Scene scene = viewpoint.scene(*drawable.level);
+        render::Scene scene = viewpoint.scene(*drawable.level);
+        add(scene);
         const std::size_t before = allocation_count();
         renderer.render(scene, settings, frame);
         while_drawing += allocation_count() - before;
@@ -42,6 +45,10 @@ void expect_no_allocation(const DrawableLevel& drawable, const render::Settings&
     draw_all();
     EXPECT_EQ(draw_all(), 0u) << drawable.name;
   }
+}
+
+void expect_no_allocation(const DrawableLevel& drawable, const render::Settings& settings) {
+  expect_no_allocation(drawable, settings, [](render::Scene&) {});
 }
 
 TEST(WarmFrame, OfTheSmallLevelAllocatesNothing) {
@@ -59,6 +66,26 @@ TEST(WarmFrame, BesideATooSmallCacheAllocatesNothing) {
 
 TEST(WarmFrame, WithoutACacheAllocatesNothing) {
   expect_no_allocation(small_level(), {.surface_cache = false});
+}
+
+TEST(WarmFrame, WithSpritesAndParticlesAllocatesNothing) {
+  formats::Spr spr;
+  spr.frames = {{{{-8, 8, 16, 16, std::vector<std::uint8_t>(256, 9)}}, {}}};
+  std::vector<render::SpriteInstance> sprites;
+  std::vector<float> x, y, z;
+  Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    const math::Vec3 place = random.in_cube(300);
+    x.push_back(place.x);
+    y.push_back(place.y);
+    z.push_back(place.z);
+    sprites.push_back({.sprite = &spr, .picture = &spr.frames[0].pictures[0], .origin_world = place});
+  }
+  const std::vector<std::uint8_t> colours(x.size(), 7);
+  expect_no_allocation(small_level(), {}, [&](render::Scene& scene) {
+    scene.sprites = sprites;
+    scene.particles = {x, y, z, colours};
+  });
 }
 
 TEST(WarmFrame, OfAStockLevelAllocatesNothing) {

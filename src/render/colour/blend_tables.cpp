@@ -9,7 +9,7 @@ namespace temblor::render {
 namespace {
 
 constexpr std::size_t kTableSize = 256 * 256;
-constexpr int kClear = 255;
+constexpr std::size_t kClear = 255;
 
 // 0 to `end` - 1.
 std::vector<std::uint8_t> indices_below(int end) {
@@ -23,7 +23,8 @@ std::vector<std::uint8_t> indices_below(int end) {
 // A palette may be full-bright throughout: then anything goes.
 PaletteMatch::PaletteMatch(const formats::Palette& palette, int first_fullbright)
     : first_fullbright_(first_fullbright),
-      lit_(palette, indices_below(first_fullbright > 0 ? std::min(first_fullbright, kClear) : kClear)),
+      lit_(palette,
+           indices_below(first_fullbright > 0 ? std::min(first_fullbright, int{kClear}) : int{kClear})),
       any_(palette, indices_below(kClear)) {}
 
 // What a lies over b at n sixteenths is what b lies over a at 16 - n: half of the tables are the others,
@@ -55,9 +56,10 @@ const std::uint8_t* FogTables::rows_for(const math::Vec3& colour, const formats:
   for (int row = 0; row < kRows; ++row)
     for (std::size_t index = 0; index < 256; ++index)
       rows_[static_cast<std::size_t>(row) * 256 + index] =
-          row == 0 ? static_cast<std::uint8_t>(index)
-                   : match(blend_colours(fog, palette[index], row * kOpaque256 / (kRows - 1)),
-                           match.is_fullbright(index));
+          row == 0 || index == kClear
+              ? static_cast<std::uint8_t>(index)
+              : match(blend_colours(fog, palette[index], row * kOpaque256 / (kRows - 1)),
+                      match.is_fullbright(index));
   return rows_.data();
 }
 

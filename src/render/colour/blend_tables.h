@@ -70,6 +70,7 @@ class BlendTables {
 };
 
 // What fog leaves of each colour, by its share of the pixel: `kRows` rows of 256, row r for r / (kRows - 1).
+// 255 stays: it may stand for "clear".
 class FogTables {
  public:
   static constexpr int kRows = 65;

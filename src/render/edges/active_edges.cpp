@@ -7,17 +7,14 @@
 #include <limits>
 #include <utility>
 
+#include "render/edges/edge_crossing.h"
+
 namespace temblor::render {
 
 namespace {
 
 constexpr std::size_t kUsualCount = 512;
 constexpr std::int32_t kNever = std::numeric_limits<std::int32_t>::max();
-
-double crossing(double x_first, double step, double rows_below_first) {
-  const double x = x_first + step * rows_below_first;
-  return x > 0 ? x : 0;  // the order of comparison that is one instruction
-}
 
 // A total order, so that it does not matter where a band began. Of edges in one place the last made comes
 // first: it is most often the farthest surface's, and what begins nearer goes on top of the stack.

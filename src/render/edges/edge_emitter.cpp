@@ -132,7 +132,7 @@ void EdgeEmitter::make_edges(SurfaceIndex first, std::span<const SurfaceIndex> s
   std::size_t begin = 0;
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     const SurfaceIndex surface = base::to_index<SurfaceIndex>(base::to_size(first) + i);
-    // A file may have a face twice in its tree: only the last one's edges are shared.
+    // Late faces share no edges; and a file may have a face twice in its tree: only the last one's are.
     const bool shares = surface_of_face[base::to_size(surfaces_[i].face)] == surface;
     const std::size_t end = corner_end_[i];
     for (std::size_t corner = begin; corner < end; ++corner) {

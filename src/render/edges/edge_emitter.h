@@ -28,7 +28,8 @@ class alignas(64) EdgeEmitter {
   std::uint32_t item_count() const { return item_count_; }
 
   // The surfaces are those from `first` on. `surface_of_face` has the number of each face of the world, or
-  // kBackground. Each edge is made by the first surface at it.
+  // kBackground. Each edge is made by the first surface at it. A surface that does not have its face's number
+  // there shares none.
   void make_edges(SurfaceIndex first, std::span<const SurfaceIndex> surface_of_face);
   std::span<const Edge> edges() const { return edges_.view(); }
   // By row: how many edges begin there.

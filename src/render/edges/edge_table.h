@@ -53,6 +53,17 @@ struct EdgeTable {
   std::span<const Piece> pieces;
   std::span<const ModelView> model_views;  // by ScreenSurface::instance; 0 is the world's
   std::uint32_t item_count = 0;            // item 0 is the background
+  // The last surfaces are those of late faces: none of the edges above bounds them. Each has its own, those
+  // of late surface i from late_edges[late_edge_begin[i]] on.
+  std::span<const Edge> late_edges{};
+  std::span<const std::uint32_t> late_edge_begin{};  // one more than there are late surfaces, or none
+
+  std::size_t late_count() const { return late_edge_begin.empty() ? 0 : late_edge_begin.size() - 1; }
+  std::size_t first_late() const { return surfaces.size() - late_count(); }
+  // Items of late surfaces come after those of all others.
+  std::uint32_t first_late_item() const {
+    return late_count() == 0 ? item_count : surfaces[first_late()].first_item;
+  }
 };
 
 // Scratch of one job: of all its faces, and of the one that is being cut.
@@ -64,7 +75,7 @@ struct EdgeJobArenas {
 constexpr std::size_t kFacesAnEdgeJob = 128;
 
 // `outlines` are those of the scene's level. The same table comes out for any number of threads and of faces
-// a job; one thread has one job.
+// a job; one thread has one job (and one more for late faces).
 EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFaces& visible,
                      const FaceOutlines& outlines, base::Jobs& jobs, base::Arena& arena,
                      std::vector<EdgeJobArenas>& io_job_arenas, std::size_t faces_a_job = kFacesAnEdgeJob);

@@ -70,6 +70,7 @@ struct NumberedSurfaces {
   std::uint32_t item_count = 1;     // item 0 is the background
 };
 
+// The last job's faces are late, and nobody's neighbours.
 NumberedSurfaces number_surfaces(std::span<const EdgeEmitter> emitters, std::size_t level_faces,
                                  base::Arena& arena) {
   std::size_t surface_count = 1, piece_count = 0;
@@ -84,13 +85,14 @@ NumberedSurfaces number_surfaces(std::span<const EdgeEmitter> emitters, std::siz
   std::size_t number = 1;
   std::uint32_t pieces_before = 0;
   for (std::size_t job = 0; job < emitters.size(); ++job) {
+    const bool late = job + 1 == emitters.size();
     numbered.first_of_job[job] = base::to_index<SurfaceIndex>(number);
     for (ScreenSurface surface : emitters[job].surfaces()) {
       surface.first_item += numbered.item_count;
-      if (surface.instance == 0)
-        numbered.of_face[base::to_size(surface.face)] = base::to_index<SurfaceIndex>(number);
-      else
+      if (surface.instance != 0)
         surface.piece += pieces_before;
+      else if (!late)
+        numbered.of_face[base::to_size(surface.face)] = base::to_index<SurfaceIndex>(number);
       numbered.surfaces[number++] = surface;
     }
     std::copy(emitters[job].pieces().begin(), emitters[job].pieces().end(),
@@ -137,6 +139,20 @@ void gather_edges(EdgeEmitter& io_emitter, std::size_t first, std::span<Edge> ou
   }
 }
 
+// Where each late surface's edges begin: they were made surface by surface.
+std::span<const std::uint32_t> find_late_edges(const EdgeEmitter& late, SurfaceIndex first,
+                                               base::Arena& arena) {
+  const std::span<std::uint32_t> begin = arena.allocate<std::uint32_t>(late.surfaces().size() + 1);
+  std::size_t surface = 0;
+  for (std::uint32_t i = 0; i < late.edges().size(); ++i) {
+    const Edge& edge = late.edges()[i];
+    const SurfaceIndex whose = edge.leading != kBackground ? edge.leading : edge.trailing;
+    for (; base::to_size(first) + surface <= base::to_size(whose); ++surface) begin[surface] = i;
+  }
+  for (; surface < begin.size(); ++surface) begin[surface] = static_cast<std::uint32_t>(late.edges().size());
+  return begin;
+}
+
 std::size_t choose_job_count(std::size_t faces, std::size_t faces_a_job, int threads) {
   if (threads == 1) return 1;
   return std::clamp<std::size_t>(faces / faces_a_job, 1, static_cast<std::size_t>(threads) * kJobsAThread);
@@ -150,41 +166,62 @@ EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFac
   const std::size_t world_faces = visible.faces.size();
   const FaceSequence sequence = line_up_faces(scene, view, world_faces, arena);
   const std::size_t job_count = choose_job_count(sequence.face_count, faces_a_job, jobs.threads());
-  if (io_job_arenas.size() < job_count) io_job_arenas.resize(job_count);
-  std::span<EdgeEmitter> emitters = arena.allocate<EdgeEmitter>(job_count);
+  if (io_job_arenas.size() <= job_count) io_job_arenas.resize(job_count + 1);
+  // One more, for late faces.
+  std::span<EdgeEmitter> emitters = arena.allocate<EdgeEmitter>(job_count + 1);
+  const auto add_brush_faces = [&](std::size_t begin, std::size_t end, bool late, base::Arena& pieces,
+                                   EdgeEmitter& emitter) {
+    for (const ShownModel& model : sequence.models)
+      for (std::size_t i = std::max(begin, model.begin); i < std::min(end, model.end); ++i) {
+        const auto face = base::to_index<world::FaceIndex>(model.first_face + (i - model.begin));
+        const FaceOpacity opacity =
+            opacity_on(visible.opacities, *scene.level, scene.level->face(face).texture,
+                       scene.brush_models[model.instance - 1]);
+        if (opacity.opacity <= 0 || opacity.is_late() != late) continue;
+        add_brush_face(scene, view, visible, outlines, sequence.model_views[model.instance], model.instance,
+                       face, pieces, emitter);
+      }
+  };
 
-  jobs.parallel_for(job_count, [&](std::size_t job) {
+  jobs.parallel_for(job_count + 1, [&](std::size_t job) {
     EdgeJobArenas& arenas = io_job_arenas[job];
     arenas.faces.reset();
     EdgeEmitter& emitter = *std::construct_at(&emitters[job], view, arenas.faces);
+    if (job == job_count) {
+      for (const VisibleFace& face : visible.late_faces) emitter.add_world_face(face, outlines);
+      add_brush_faces(0, sequence.face_count, true, arenas.pieces, emitter);
+      return;
+    }
     const std::size_t begin = sequence.face_count * job / job_count;
     const std::size_t end = sequence.face_count * (job + 1) / job_count;
     for (std::size_t i = begin; i < std::min(end, world_faces); ++i)
       emitter.add_world_face(visible.faces[i], outlines);
-    for (const ShownModel& model : sequence.models)
-      for (std::size_t i = std::max(begin, model.begin); i < std::min(end, model.end); ++i)
-        add_brush_face(scene, view, visible, outlines, sequence.model_views[model.instance], model.instance,
-                       base::to_index<world::FaceIndex>(model.first_face + (i - model.begin)), arenas.pieces,
-                       emitter);
+    add_brush_faces(begin, end, false, arenas.pieces, emitter);
   });
   const NumberedSurfaces numbered = number_surfaces(emitters, scene.level->faces.size(), arena);
-  jobs.parallel_for(job_count, [&](std::size_t job) {
+  jobs.parallel_for(job_count + 1, [&](std::size_t job) {
     emitters[job].make_edges(numbered.first_of_job[job], numbered.of_face);
   });
 
-  const EdgePlaces places = place_edges(emitters, static_cast<std::size_t>(view.height), arena);
+  const EdgePlaces places =
+      place_edges(emitters.first(job_count), static_cast<std::size_t>(view.height), arena);
   std::span<Edge> edges = arena.allocate<Edge>(places.edge_count);
   std::span<std::uint32_t> order = arena.allocate<std::uint32_t>(places.edge_count);
   jobs.parallel_for(job_count, [&](std::size_t job) {
     gather_edges(emitters[job], places.first_of_job[job], edges, order);
   });
+  const std::span<const Edge> made_late = emitters[job_count].edges();
+  const std::span<Edge> late_edges = arena.allocate<Edge>(made_late.size());
+  std::copy(made_late.begin(), made_late.end(), late_edges.begin());
   return {edges,
           order,
           places.row_begin,
           numbered.surfaces,
           numbered.pieces,
           sequence.model_views,
-          numbered.item_count};
+          numbered.item_count,
+          late_edges,
+          find_late_edges(emitters[job_count], numbered.first_of_job[job_count], arena)};
 }
 
 }  // namespace temblor::render

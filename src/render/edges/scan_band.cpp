@@ -10,17 +10,11 @@
 #include "render/edges/scan_band.h"
 
 #include "render/edges/active_edges.h"
+#include "render/edges/edge_crossing.h"
 
 namespace temblor::render {
 
 namespace {
-
-// The first pixel whose centre is not left of x, from 0 on. (std::ceil is a call on processors without
-// SSE 4.1.)
-int first_pixel(double x) {
-  const int whole = static_cast<int>(x);
-  return whole + (x > whole ? 1 : 0);
-}
 
 class BandScan {
  public:

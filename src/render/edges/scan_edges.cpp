@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "render/edges/scan_band.h"
+#include "render/edges/scan_late_faces.h"
 #include "render/edges/span_table.h"
 
 namespace temblor::render {
@@ -132,7 +133,7 @@ SpanTable scan_edges(const EdgeTable& table, const Scene& scene, const ViewFrame
   const std::size_t band_count = static_cast<std::size_t>((view.height + band_rows - 1) / band_rows);
   if (io_band_arenas.size() < band_count) io_band_arenas.resize(band_count);
   const std::span<const TilePlanes*> tile_planes = make_tile_planes(table, scene, view, arena);
-  const SurfaceRanks ranks = rank_surfaces(table.surfaces, arena);
+  const SurfaceRanks ranks = rank_surfaces(table.surfaces.first(table.first_late()), arena);
   std::span<Band> bands = arena.allocate<Band>(band_count);
   jobs.parallel_for(band_count, [&](std::size_t i) {
     base::Arena& band_arena = io_band_arenas[i];
@@ -140,6 +141,8 @@ SpanTable scan_edges(const EdgeTable& table, const Scene& scene, const ViewFrame
     const int first_row = static_cast<int>(i) * band_rows;
     const int row_count = std::min(band_rows, view.height - first_row);
     std::span<const ItemSpan> spans = scan_band(table, ranks, first_row, row_count, view.width, band_arena);
+    if (table.late_count() > 0)
+      spans = with_late_faces(spans, table, first_row, row_count, view.width, band_arena);
     if (!tile_planes.empty()) spans = split_at_tiles(spans, tile_planes, view.perspective, band_arena);
     bands[i] = group_by_item(spans, table.item_count, first_row, row_count, band_arena);
   });

@@ -1,4 +1,5 @@
-// Stage 4. EdgeTable -> SpanTable: every pixel of the screen given to exactly one surface.
+// Stage 4. EdgeTable -> SpanTable: every pixel of the screen given to exactly one surface, and to late ones
+// beside it.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +18,18 @@ struct PixelSum {
   std::uint64_t pixels = 0, x = 0, y = 0;
 };
 
-// A band of scan lines, and the spans in it grouped by item: one surface, or one tile of a large one.
+// A band of scan lines, and the spans in it grouped by item: one surface, or one tile of a large one. Those
+// of all but late surfaces cover each pixel once; those of a late one cover what it would if it were alone.
 struct Band {
   int first_row, row_count;
   std::span<const SpanRun> runs;
   std::span<const std::uint32_t> items;      // that have runs here, increasing
   std::span<const std::uint32_t> run_begin;  // by position in `items`, and one more at the end
   std::span<const PixelSum> sums;            // by position in `items`
+
+  std::span<const SpanRun> runs_at(std::size_t position) const {
+    return runs.subspan(run_begin[position], run_begin[position + 1] - run_begin[position]);
+  }
 };
 
 struct SpanTable {

@@ -21,13 +21,19 @@ RepeatingTexture make_texture(const DrawItem& item, const ColourTables& tables, 
                               base::Arena& arena) {
   const TexturePart whole{*item.texture, item.mip, 0, std::max(1u, item.texture->width >> item.mip)};
   const std::uint8_t* lit = tables.colormap.rows.data() + std::size_t{item.light_row} * 256;
+  const bool has_holes = item.texture->kind == world::TextureKind::kCutout;
   // Full light is the texture as it is: the colormap's row for it may name an equal colour by another index.
   const auto index_of = [&](std::uint8_t index) {
-    return item.light_row == kLightAsStored ? index : lit[index];
+    const bool as_is = item.light_row == kLightAsStored || (has_holes && index == kClearIndex);
+    return as_is ? index : lit[index];
   };
   if (format == PixelFormat::kIndexed) return copy_repeating<std::uint8_t>(whole, index_of, arena);
   return copy_repeating<std::uint32_t>(
-      whole, [&](std::uint8_t index) { return tables.rgb[index_of(index)]; }, arena);
+      whole,
+      [&](std::uint8_t index) {
+        return has_holes && index == kClearIndex ? 0u : tables.rgb[index_of(index)];
+      },
+      arena);
 }
 
 }  // namespace
@@ -44,8 +50,8 @@ std::span<const RepeatRuns*> prepare_repeat_runs(const Scene& scene, const ViewF
   for (std::size_t i = 0; i < items.items.size(); ++i) {
     const DrawItem& item = items.items[i];
     if (item.kind != ItemKind::kLiquid && item.kind != ItemKind::kTexture) continue;
-    const auto texture_number = static_cast<std::size_t>(item.texture - scene.level->textures.data());
-    RepeatingTexture& texture = made[texture_number * 8 + item.mip * 2u + (item.light_row == kLightAsStored)];
+    RepeatingTexture& texture =
+        made[base::to_size(item.texture_index) * 8 + item.mip * 2u + (item.light_row == kLightAsStored)];
     if (texture.texels == nullptr) texture = make_texture(item, tables, format, arena);
 
     const std::span<RepeatRuns> room = arena.allocate<RepeatRuns>(1);

@@ -49,19 +49,21 @@ SkyRuns make_layers(const world::Texture& texture, const ViewFrame& view, double
   sky.back_s = scrolled(kBackScroll_texels_s, sky.width);
   sky.back_t = scrolled(kBackScroll_texels_s, sky.height);
 
-  math::Vec3d forward = view.axes.forward, right{0.0}, down{0.0};
-  if (view.perspective) {
-    right = view.axes.right;
-    down = -view.axes.up;
-    forward = forward * view.pixels_per_unit - right * view.centre_x - down * view.centre_y;
-  }
-  copy_vector(forward, sky.forward);
-  copy_vector(right, sky.right);
-  copy_vector(down, sky.down);
+  const SkyRays rays = sky_rays(view);
+  copy_vector(rays.forward, sky.forward);
+  copy_vector(rays.right, sky.right);
+  copy_vector(rays.down, sky.down);
   return sky;
 }
 
 }  // namespace
+
+SkyRays sky_rays(const ViewFrame& view) {
+  if (!view.perspective) return {view.axes.forward, math::Vec3d(0.0), math::Vec3d(0.0)};
+  const math::Vec3d right = view.axes.right, down = -view.axes.up;
+  return {view.axes.forward * view.pixels_per_unit - right * view.centre_x - down * view.centre_y, right,
+          down};
+}
 
 std::span<const SkyRuns*> prepare_sky_runs(const Scene& scene, const ViewFrame& view, const DrawItems& items,
                                            const ColourTables& tables, PixelFormat format,
@@ -73,7 +75,7 @@ std::span<const SkyRuns*> prepare_sky_runs(const Scene& scene, const ViewFrame& 
   for (std::size_t i = 0; i < items.items.size(); ++i) {
     const DrawItem& item = items.items[i];
     if (item.kind != ItemKind::kSky) continue;
-    const SkyRuns*& made = by_texture[static_cast<std::size_t>(item.texture - scene.level->textures.data())];
+    const SkyRuns*& made = by_texture[base::to_size(item.texture_index)];
     if (made == nullptr) {
       const std::span<SkyRuns> room = arena.allocate<SkyRuns>(1);
       room[0] = make_layers(*item.texture, view, scene.time_s, tables, format, arena);

@@ -9,6 +9,12 @@
 
 namespace temblor::render {
 
+// The ray of pixel (x, y) is forward + x * right + y * down, in the world; seen in parallel, all are forward.
+struct SkyRays {
+  math::Vec3d forward, right, down;
+};
+SkyRays sky_rays(const ViewFrame& view);
+
 // For every sky item, all that its spans need but the spans and their depth; by item number, null for others.
 // Memory comes from `arena`.
 std::span<const SkyRuns*> prepare_sky_runs(const Scene& scene, const ViewFrame& view, const DrawItems& items,

@@ -5,6 +5,7 @@
 
 #include "render/edges/edge_table.h"
 #include "render/surfaces/build_kernels.h"
+#include "render/surfaces/cutout_textures.h"
 #include "render/surfaces/light_samples.h"
 
 namespace temblor::render {
@@ -60,8 +61,9 @@ class Builder {
         scratch_(scratch),
         face_(level.face(request.face)),
         grid_(sample_grid(face_, request.tile_s, request.tile_t)),
+        drawn_(request.texture != nullptr ? *request.texture : level.texture(request.contents.texture)),
         // Faces start at multiples of 16 texels, so every mip level starts at a whole one.
-        texture_(level.texture(request.contents.texture), request.mip,
+        texture_(drawn_, request.mip,
                  (std::int64_t{face_.texture_mins[0]} + request.tile_s * kTileTexels) >> request.mip,
                  (std::int64_t{face_.texture_mins[1]} + request.tile_t * kTileTexels) >> request.mip),
         marks_(place_marks(level, face_, request.marks, request.tile_s, request.tile_t, request.mip,
@@ -83,6 +85,9 @@ class Builder {
       const IndexedRow row{texels.data(), row_light.data(),           tables_.colormap.rows.data(),
                            out,           request_.block.shape.width, texels_a_sample()};
       vector_ ? build_indexed_row_vector(row) : build_indexed_row_plain(row);
+      if (has_holes())
+        for (std::size_t x = 0; x < width(); ++x)
+          if (texels[x] == kClearIndex) out[x] = kClearIndex;
     }
   }
 
@@ -92,20 +97,26 @@ class Builder {
     });
     const std::span<std::int16_t> row_light = row_samples(4);
     const std::span<std::uint32_t> colours = row_of_texels<std::uint32_t>();
+    const std::span<std::uint8_t> indices = row_of_texels<std::uint8_t>();
     auto* out = reinterpret_cast<std::uint32_t*>(request_.block.texels);
     for (std::int32_t y = 0; y < request_.block.shape.height; ++y, out += request_.block.shape.width) {
       texture_.next_row(width(), [&](std::size_t x, const std::uint8_t* run, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) colours[x + i] = tables_.surface_rgb[run[i]];
+        if (has_holes()) std::memcpy(&indices[x], run, count);
       });
       if (!marks_.empty()) paint_marks(*mark_look_, marks_, y, colours);
       interpolate_down(samples, 4, y, row_light);
       const RgbRow row{colours.data(), row_light.data(), out, request_.block.shape.width, texels_a_sample()};
       vector_ ? build_rgb_row_vector(row) : build_rgb_row_plain(row);
+      if (has_holes())
+        for (std::size_t x = 0; x < width(); ++x)
+          if (indices[x] == kClearIndex) out[x] = 0;
     }
   }
 
  private:
   std::int32_t texels_a_sample() const { return kTexelsASample >> request_.mip; }
+  bool has_holes() const { return drawn_.kind == world::TextureKind::kCutout; }
 
   std::size_t width() const { return static_cast<std::size_t>(request_.block.shape.width); }
   // Longer than a row, as kernels may read past its end.
@@ -159,6 +170,7 @@ class Builder {
   base::Arena& scratch_;
   const world::Face& face_;
   const SampleGrid grid_;
+  const world::Texture& drawn_;
   TextureRows texture_;
   const std::span<const PlacedMark> marks_;
 };

@@ -7,7 +7,8 @@
 //        channel = min(255, (2 * colour * h + 16384) >> 15)
 // where sum is LightSums' (256: a light of 1). Between two samples a
 // and b, i of n texels along: a + (((b - a) * i * (2048 * 16 / n) + 16384) >> 15), n = 16 >> mip.
-// Full-bright palette entries keep their colour.
+// Full-bright palette entries keep their colour. Clear texels of textures with holes stay clear: 255 in
+// indexed, 0 in rgb, where all others have an alpha of 255.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +32,7 @@ struct BlockRequest {
   std::span<const FaceLight> lights;  // those that contents.lights is the hash of
   std::span<const Mark> marks;        // those of contents.marks
   SurfaceBlock block;
+  const world::Texture* texture = nullptr;  // drawn in place of the level's own; null: that
 };
 
 SurfaceShape surface_shape(const world::Face& face, int tile_s, int tile_t, int mip);

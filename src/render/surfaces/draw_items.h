@@ -14,6 +14,7 @@
 #include "render/frame.h"
 #include "render/renderer.h"
 #include "render/surfaces/build_surface.h"
+#include "render/surfaces/cutout_textures.h"
 #include "render/surfaces/surface_cache.h"
 
 namespace temblor::render {
@@ -31,18 +32,20 @@ struct DrawItem {
   ScreenPlane s, t;
   SurfaceBlock block;                       // kSurface
   const world::Texture* texture = nullptr;  // others
+  world::TextureIndex texture_index{};
 };
 
 struct DrawItems {
   std::span<const DrawItem> items;  // by item number
+  std::uint32_t first_late;         // from here on items are drawn after all others, one surface at a time
 };
 
 // `mark_look` is needed for scenes with marks only. `io_job_arenas` grows as needed: one for each job that
 // runs at the same time as others.
 DrawItems prepare_surfaces(const Scene& scene, const Settings& settings, const ViewFrame& view,
                            const EdgeTable& table, const SpanTable& spans, const ColourTables& colour_tables,
-                           const MarkLook* mark_look, PixelFormat format, base::Jobs& jobs,
-                           base::Arena& arena, std::vector<base::Arena>& io_job_arenas,
+                           const CutoutTextures& cutouts, const MarkLook* mark_look, PixelFormat format,
+                           base::Jobs& jobs, base::Arena& arena, std::vector<base::Arena>& io_job_arenas,
                            SurfaceCache& io_cache, FrameStats& io_stats);
 
 }  // namespace temblor::render

@@ -27,13 +27,14 @@ constexpr std::size_t kSurfacesAJob = 32;
 class Preparation {
  public:
   Preparation(const Scene& scene, const Settings& settings, const ViewFrame& view, const EdgeTable& table,
-              const SpanTable& spans, PixelFormat format, base::Arena& arena)
+              const SpanTable& spans, const CutoutTextures& cutouts, PixelFormat format, base::Arena& arena)
       : scene_(scene),
         level_(*scene.level),
         settings_(settings),
         view_(view),
         table_(table),
         spans_(spans),
+        cutouts_(cutouts),
         format_(format),
         light_now_{scene.lights, scene.light_styles},
         arena_(arena),
@@ -76,7 +77,8 @@ class Preparation {
       item.depth = depth;
       item.kind = kind_of(face);
       item.light_row = face.kind == world::FaceKind::kLit ? kLightNone : kLightAsStored;
-      item.texture = &level_.texture(texture_of(surface, face));
+      item.texture_index = texture_of(surface, face);
+      item.texture = &cutouts_.drawn(level_, item.texture_index);
       item.mip =
           static_cast<std::uint8_t>(mip_of(surface, surface.first_item + tile, placed, depth, s, t, scratch));
       const math::Vec2d first = first_texel(surface, tile, *item.texture);
@@ -166,8 +168,9 @@ class Preparation {
                          {},
                          {},
                          {},
-                         {}};
-    request.contents.texture = texture_of(surface, face);
+                         {},
+                         item.texture};
+    request.contents.texture = item.texture_index;
     request.contents.coloured = shows_colour() && !level_.light_rgb.empty();
     for (std::size_t style = 0; style < face.style_count; ++style)
       request.contents.style_values[style] = light_of(surface.face).light_styles[face.styles[style]];
@@ -286,6 +289,7 @@ class Preparation {
   const ViewFrame& view_;
   const EdgeTable& table_;
   const SpanTable& spans_;
+  const CutoutTextures& cutouts_;
   const PixelFormat format_;
   const SceneLight light_now_;
   base::Arena& arena_;
@@ -303,10 +307,10 @@ void ready_arenas(std::vector<base::Arena>& io_arenas, std::size_t count) {
 
 DrawItems prepare_surfaces(const Scene& scene, const Settings& settings, const ViewFrame& view,
                            const EdgeTable& table, const SpanTable& spans, const ColourTables& colour_tables,
-                           const MarkLook* mark_look, PixelFormat format, base::Jobs& jobs,
-                           base::Arena& arena, std::vector<base::Arena>& io_job_arenas,
+                           const CutoutTextures& cutouts, const MarkLook* mark_look, PixelFormat format,
+                           base::Jobs& jobs, base::Arena& arena, std::vector<base::Arena>& io_job_arenas,
                            SurfaceCache& io_cache, FrameStats& io_stats) {
-  Preparation preparation(scene, settings, view, table, spans, format, arena);
+  Preparation preparation(scene, settings, view, table, spans, cutouts, format, arena);
   preparation.collect();
 
   const std::size_t describing_jobs = (table.surfaces.size() + kSurfacesAJob - 1) / kSurfacesAJob;
@@ -335,7 +339,7 @@ DrawItems prepare_surfaces(const Scene& scene, const Settings& settings, const V
       build_surface(*scene.level, colour_tables, mark_look, requests[i], format, settings.vector_kernels,
                     io_job_arenas[job]);
   });
-  return {preparation.items()};
+  return {preparation.items(), table.first_late_item()};
 }
 
 }  // namespace temblor::render

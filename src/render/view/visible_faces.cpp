@@ -38,15 +38,18 @@ bool has_pvs(const world::Level& level, world::LeafIndex eye) {
 
 class Walk {
  public:
-  Walk(const world::Level& level, const LevelTables& tables, const ViewFrame& view, base::Arena& arena)
+  Walk(const world::Level& level, const LevelTables& tables, const ViewFrame& view,
+       std::span<const FaceOpacity> opacities, base::Arena& arena)
       : level_(level),
         tables_(tables),
         view_(view),
+        opacities_(opacities),
         face_marked_(arena.allocate_filled<std::uint8_t>(level.faces.size(), 0)),
         node_marked_(arena.allocate_filled<std::uint8_t>(level.nodes.size(), 0)),
         leaf_visible_(arena.allocate_filled<std::uint8_t>(level.leafs.size(), 0)),
         leaf_keys_(arena.allocate_filled<SortKey>(level.leafs.size(), kNotVisited)),
         faces_(arena, 1024),
+        late_faces_(arena, 64),
         open_(arena, 256) {}
 
   void mark_leaf(std::size_t leaf) {
@@ -86,7 +89,7 @@ class Walk {
       else
         enter_node(step);
     }
-    return {faces_.view(), leaf_keys_, node_marked_, faces_in_pvs_};
+    return {faces_.view(), late_faces_.view(), opacities_, leaf_keys_, node_marked_, faces_in_pvs_};
   }
 
  private:
@@ -128,7 +131,10 @@ class Walk {
       if (face_marked_[number] != kReached || face.back_side != (side == 1)) continue;
       // Compilers put faces in their node's plane; files need not.
       if (face.plane != node.plane && facing_of(face) < kEdgeOn) continue;
-      faces_.push_back({base::to_index<world::FaceIndex>(number), next_key_++});
+      const FaceOpacity& opacity = opacities_[base::to_size(face.texture)];
+      if (opacity.opacity <= 0) continue;
+      (opacity.is_late() ? late_faces_ : faces_)
+          .push_back({base::to_index<world::FaceIndex>(number), next_key_++});
     }
   }
 
@@ -141,9 +147,10 @@ class Walk {
   const world::Level& level_;
   const LevelTables& tables_;
   const ViewFrame& view_;
+  std::span<const FaceOpacity> opacities_;
   std::span<std::uint8_t> face_marked_, node_marked_, leaf_visible_;
   std::span<SortKey> leaf_keys_;
-  base::ArenaVector<VisibleFace> faces_;
+  base::ArenaVector<VisibleFace> faces_, late_faces_;
   base::ArenaVector<Step> open_;
   SortKey next_key_ = kNotVisited + 1;
   std::uint32_t faces_in_pvs_ = 0;
@@ -152,8 +159,9 @@ class Walk {
 }  // namespace
 
 VisibleFaces find_visible_faces(const world::Level& level, const LevelTables& tables, const ViewFrame& view,
-                                bool use_pvs, base::Arena& arena, std::vector<std::uint8_t>& io_pvs_row) {
-  Walk walk(level, tables, view, arena);
+                                std::span<const FaceOpacity> opacities, bool use_pvs, base::Arena& arena,
+                                std::vector<std::uint8_t>& io_pvs_row) {
+  Walk walk(level, tables, view, opacities, arena);
   if (use_pvs && view.perspective && has_pvs(level, view.eye_leaf)) {
     world::decompress_pvs(level, view.eye_leaf, io_pvs_row);
     walk.mark_row(io_pvs_row);

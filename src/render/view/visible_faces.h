@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/arena.h"
+#include "render/view/face_opacity.h"
 #include "render/view/level_tables.h"
 #include "render/view/view_frame.h"
 
@@ -24,13 +25,16 @@ struct VisibleFace {
 
 struct VisibleFaces {
   std::span<const VisibleFace> faces;         // in key order, all turned towards the eye
+  std::span<const VisibleFace> late_faces;    // alike: those that something shows through
+  std::span<const FaceOpacity> opacities;     // as given
   std::span<const SortKey> leaf_keys;         // by leaf: where its brush models belong; kNotVisited: not seen
   std::span<const std::uint8_t> node_marked;  // by node: not 0 when a leaf below it may be seen
   std::uint32_t faces_in_pvs = 0;
 };
 
-// `io_pvs_row` is scratch that keeps its capacity between frames.
+// `opacities` are the world's. `io_pvs_row` is scratch that keeps its capacity between frames.
 VisibleFaces find_visible_faces(const world::Level& level, const LevelTables& tables, const ViewFrame& view,
-                                bool use_pvs, base::Arena& arena, std::vector<std::uint8_t>& io_pvs_row);
+                                std::span<const FaceOpacity> opacities, bool use_pvs, base::Arena& arena,
+                                std::vector<std::uint8_t>& io_pvs_row);
 
 }  // namespace temblor::render

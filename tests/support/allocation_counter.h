@@ -1,4 +1,5 @@
-// Counts what this test program asks the heap for: its source file replaces operator new.
+// Counts what a test program asks the heap for: its source file replaces operator new, in the programs that
+// call it and in no other.
 #pragma once
 
 #include <cstddef>

@@ -1,0 +1,104 @@
+// A hundred models of 400 triangles that fill a fifth of a picture of 1920 x 1080: the whole of the stage,
+// from poses to pixels.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "math/angles.h"
+#include "render/models/draw_alias_models.h"
+#include "support/drawable_level.h"
+#include "support/drawable_models.h"
+#include "support/random.h"
+
+namespace temblor::bench {
+namespace {
+
+constexpr int kWidth = 1920, kHeight = 1080;
+constexpr int kColumns = 10, kRows = 10;
+constexpr double kShareOfPicture = 0.2;
+constexpr std::int64_t kFifthSide = 102;
+
+// Side by side before the eye, each turned in its own way, none before another.
+std::vector<render::AliasInstance> hundred_models(const render::AliasModel& model,
+                                                  const render::Camera& camera, double share, float size) {
+  test::Random random(1);
+  const math::Basis axes = math::basis_from_angles(camera.angles_deg);
+  const double focal_px = kHeight * 4 / 3.0 / 2;  // 90 degrees
+  const double radius_px = std::sqrt(double{kWidth} * kHeight * share / (kColumns * kRows) / 3.14159);
+  const double distance = size / 2 * focal_px / radius_px;
+  std::vector<render::AliasInstance> instances;
+  for (int row = 0; row < kRows; ++row)
+    for (int column = 0; column < kColumns; ++column) {
+      render::AliasInstance instance;
+      instance.model = &model;
+      const double x = ((column + 0.5) / kColumns - 0.5) * kWidth * 0.95;
+      const double y = ((row + 0.5) / kRows - 0.5) * kHeight * 0.9;
+      instance.origin_world =
+          camera.origin_world +
+          math::Vec3((axes.forward + axes.right * (x / focal_px) + axes.up * (y / focal_px)) * distance);
+      instance.angles_deg = random.in_cube(180);
+      instance.full_bright = false;
+      instance.least_light = 80;
+      instances.push_back(instance);
+    }
+  return instances;
+}
+
+void draw_models(benchmark::State& state, render::PixelFormat format, render::Settings settings,
+                 double share) {
+  const test::DrawableLevel drawable = test::small_level({.tiny = true});
+  constexpr float kSize = 64;
+  const auto model = test::small_model(test::sphere_mdl(20, 11), kSize);
+  render::Scene scene;
+  scene.level = drawable.level.get();
+  scene.camera.origin_world = {0, 0, 100000};
+  const auto instances = hundred_models(*model, scene.camera, share, kSize);
+  scene.alias_models = instances;
+  const render::ColourTables tables = render::make_colour_tables(drawable.palette, drawable.colormap);
+  render::FrameBuffer frame(kWidth, kHeight, format);
+  std::fill(frame.depth().begin(), frame.depth().end(), 0.0f);
+  const render::ViewFrame view = render::make_view_frame(scene, kWidth, kHeight);
+  base::Jobs jobs(1);
+  base::Arena arena;
+  std::vector<base::Arena> job_arenas;
+  // What is drawn again is as near as what is there, and so shows.
+  for (auto _ : state) {
+    arena.reset();
+    render::draw_alias_models(scene, settings, view, kHeight, tables, jobs, arena, job_arenas, frame);
+    benchmark::ClobberMemory();
+  }
+  const auto pixels =
+      std::count_if(frame.depth().begin(), frame.depth().end(), [](float depth) { return depth > 0; });
+  state.counters["share"] = static_cast<double>(pixels) / static_cast<double>(frame.pixel_count());
+}
+
+// By the mean length of triangles' sides, in tenths of a pixel; at 102 they fill a fifth of the picture.
+void register_all() {
+  const auto add = [](const char* name, render::PixelFormat format, render::AliasRaster raster,
+                      bool vectors) {
+    benchmark::RegisterBenchmark(name,
+                                 [=](benchmark::State& state) {
+                                   const double side = static_cast<double>(state.range(0)) / kFifthSide;
+                                   draw_models(state, format,
+                                               {.vector_kernels = vectors, .alias_raster = raster},
+                                               kShareOfPicture * side * side);
+                                 })
+        ->Unit(benchmark::kMillisecond)
+        ->ArgsProduct({{5, 7, 10, 15, 20, 30, 60, kFifthSide}});
+  };
+  using render::AliasRaster, render::PixelFormat;
+  add("models/indexed/affine", PixelFormat::kIndexed, AliasRaster::kAffine, true);
+  add("models/indexed/affine/plain", PixelFormat::kIndexed, AliasRaster::kAffine, false);
+  add("models/indexed/subdivision", PixelFormat::kIndexed, AliasRaster::kSubdivision, true);
+  add("models/rgb/affine", PixelFormat::kRgb, AliasRaster::kAffine, true);
+  add("models/rgb/affine/plain", PixelFormat::kRgb, AliasRaster::kAffine, false);
+  add("models/rgb/subdivision", PixelFormat::kRgb, AliasRaster::kSubdivision, true);
+}
+
+const bool kRegistered = (register_all(), true);
+
+}  // namespace
+}  // namespace temblor::bench

@@ -1,0 +1,20 @@
+// Any bytes: an error, or a model that reads back equal from what is written of it.
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "base/check.h"
+#include "formats/mdl.h"
+
+using namespace temblor;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto mdl = formats::read_mdl(std::as_bytes(std::span(data, size)));
+  if (!mdl.ok()) return 0;
+  const base::ByteVector written = formats::write_mdl(*mdl);
+  CHECK(written.size() <= size, "{} bytes of {}", written.size(), size);
+  const auto back = formats::read_mdl(written);
+  CHECK(back.ok(), "{}", back.error().message());
+  CHECK(*back == *mdl);
+  return 0;
+}

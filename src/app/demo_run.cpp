@@ -1,0 +1,53 @@
+#include "app/demo_run.h"
+
+#include <utility>
+
+namespace temblor::app {
+
+DemoRun::DemoRun(const LoadedDemo& demo, client::DemoPlayer player, const FrameOptions& frame,
+                 const client::PresentationSettings& presentation, const render::Settings& settings)
+    : player_(std::move(player)),
+      presentation_(std::make_unique<client::Presentation>(demo.library)),
+      presentation_settings_(presentation),
+      render_settings_(settings),
+      renderer_(demo.look.palette, demo.look.colormap),
+      frame_(frame.size.width, frame.size.height, frame.format) {
+  presentation_settings_.view.fov_deg = frame.fov_deg;
+}
+
+base::Result<DemoRun> DemoRun::start(const LoadedDemo& demo, const FrameOptions& frame,
+                                     const client::PresentationSettings& presentation,
+                                     const render::Settings& settings) {
+  TRY(client::DemoPlayer player, client::DemoPlayer::open(demo.bytes, demo.name));
+  DemoRun run(demo, std::move(player), frame, presentation, settings);
+  TRY_STATUS(run.advance_by_packet());
+  return run;
+}
+
+base::Status DemoRun::present() {
+  const double time_s = player_.server_time_s();
+  const math::Vec3 angles_deg = player_.view_angles_at(time_s, presentation_settings_.client);
+  return presentation_->advance(player_.state(), time_s, angles_deg, presentation_settings_);
+}
+
+base::Result<bool> DemoRun::advance_to(double time_s) {
+  TRY(const bool goes_on, player_.advance_to(time_s));
+  TRY_STATUS(present());
+  return goes_on;
+}
+
+base::Result<bool> DemoRun::advance_by_packet() {
+  TRY(const bool goes_on, player_.read_packet());
+  TRY_STATUS(present());
+  return goes_on;
+}
+
+render::FrameStats DemoRun::draw() {
+  render::FrameStats stats = renderer_.render(presentation_->scene(), render_settings_, frame_);
+  const render::DrawList& list =
+      presentation_->draw_list(player_.state(), frame_.width(), frame_.height(), presentation_settings_);
+  renderer_.draw_overlay(list, frame_);
+  return stats;
+}
+
+}  // namespace temblor::app

@@ -1,0 +1,62 @@
+#include "app/game_files.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "base/text.h"
+
+namespace temblor::app {
+namespace {
+
+constexpr std::size_t kSuggestions = 8;
+
+// Levenshtein: single characters inserted, removed or replaced to turn one into the other.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+base::Result<vfs::FileSystem> open_files(const GameFolders& folders) {
+  if (folders.base_folder.empty() && !std::filesystem::is_directory("id1"))
+    return base::error(base::ErrorCode::kNotFound,
+                       "no game data: the current folder holds no id1; name the folder that does with "
+                       "--basedir DIR (without --map and --demo, the level made in code needs none)");
+  const std::filesystem::path base_folder = folders.base_folder.empty() ? "." : folders.base_folder;
+  return vfs::FileSystem::open(base_folder, folders.games);
+}
+
+std::string suggest(std::string_view wanted, std::vector<std::string> names) {
+  if (names.empty()) return "there are none at all";
+  const std::string lower = base::to_lower(wanted);
+  std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+    return std::tuple(edit_distance(lower, a), a) < std::tuple(edit_distance(lower, b), b);
+  });
+  names.resize(std::min(names.size(), kSuggestions));
+  return fmt::format("there are, for example, {}", fmt::join(names, ", "));
+}
+
+std::vector<std::string> stems(const vfs::FileSystem& files, std::string_view folder,
+                               std::string_view suffix) {
+  std::vector<std::string> names;
+  for (const std::string& path : files.list(folder, suffix))
+    names.push_back(path.substr(folder.size(), path.size() - folder.size() - suffix.size()));
+  return names;
+}
+
+}  // namespace temblor::app

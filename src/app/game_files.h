@@ -1,0 +1,24 @@
+// Opens the game folders that the command line names, and finds names like a mistyped one.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/options.h"
+#include "base/result.h"
+#include "vfs/file_system.h"
+
+namespace temblor::app {
+
+base::Result<vfs::FileSystem> open_files(const GameFolders& folders);
+
+// "there are, for example, a, b, c": of `names`, those most like `wanted`; "there are none at all" without
+// any.
+std::string suggest(std::string_view wanted, std::vector<std::string> names);
+
+// The files FOLDER*SUFFIX without folder and suffix.
+std::vector<std::string> stems(const vfs::FileSystem& files, std::string_view folder,
+                               std::string_view suffix);
+
+}  // namespace temblor::app

@@ -1,0 +1,80 @@
+#include <algorithm>
+
+#include "app/allocation_counter.h"
+#include "app/demo_run.h"
+#include "app/diagnostics.h"
+#include "app/floor_loop.h"
+#include "app/measurement.h"
+#include "app/progress.h"
+#include "app/samples.h"
+#include "base/check.h"
+#include "base/large_memory.h"
+
+namespace temblor::app {
+namespace {
+
+// What a window takes its pixels from, where the frame's have to be turned into colours first.
+class Window {
+ public:
+  Window(const render::FrameBuffer& frame, const MeasureOptions& options)
+      : jobs_(options.settings.threads, options.settings.job_backend), options_(options) {
+    if (options.format != render::PixelFormat::kIndexed) return;
+    pixels_ = base::allocate_large<std::uint32_t>(frame.pixel_count());
+    CHECK(pixels_ != nullptr, "no memory for {} pixels", frame.pixel_count());
+  }
+  void present(const render::FrameBuffer& frame, const formats::Palette& palette) {
+    if (pixels_ != nullptr)
+      render::present(frame, palette, options_.settings.vector_kernels, jobs_,
+                      {pixels_.get(), frame.pixel_count()});
+  }
+
+ private:
+  base::Jobs jobs_;
+  const MeasureOptions& options_;
+  base::LargeMemory<std::uint32_t> pixels_;
+};
+
+}  // namespace
+
+base::Result<Measurement> measure_demo(const LoadedDemo& demo,
+                                       const client::PresentationSettings& presentation,
+                                       const MeasureOptions& options) {
+  TRY(const client::DemoLength length, client::DemoPlayer::scan(demo.bytes, demo.name));
+  const FrameOptions frame_options{
+      .size = options.size, .format = options.format, .fov_deg = options.fov_deg, .threads = {}};
+  TRY(DemoRun run, DemoRun::start(demo, frame_options, presentation, options.settings));
+  Window window(run.frame(), options);
+  const int floor_placement = quickest_floor_placement(run.frame());
+  Measurement result;
+  result.options = options;
+  Samples samples;
+  samples.reserve(length.packets);
+  Progress progress("frames");
+  run.draw();  // what is done once for a level is part of loading it
+  for (bool goes_on = true; goes_on;) {
+    progress.update(samples.frame_ms.size(), length.packets);
+    base::Result<bool> advanced = true;
+    const double client_ms = time_ms([&] { advanced = run.advance_by_packet(); });
+    if (!advanced.ok()) return advanced.error();
+    goes_on = *advanced;
+    render::FrameStats stats;
+    const std::uint64_t allocations_before = allocation_count();
+    const double render_ms = time_ms([&] { stats = run.draw(); });
+    const std::uint64_t allocations = allocation_count() - allocations_before;
+    const double present_ms = time_ms([&] { window.present(run.frame(), demo.look.palette); });
+    result.most_allocations = std::max(result.most_allocations, allocations);
+    samples.client_ms.push_back(client_ms);
+    samples.render_ms.push_back(client_ms + render_ms);
+    samples.present_ms.push_back(present_ms);
+    samples.frame_ms.push_back(client_ms + render_ms + present_ms);
+    samples.floor_ms.push_back(time_ms([&] { fill_with_floor_loop(floor_placement, run.frame()); }));
+    samples.add(stats);
+    result.surfaces_built += stats.surfaces_built;
+    result.cache_bytes = stats.cache_bytes;
+  }
+  for (const std::string& note : run.take_notes()) print_note(note);
+  samples.summarize(run.frame().pixel_count(), result);
+  return result;
+}
+
+}  // namespace temblor::app

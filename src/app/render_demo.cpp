@@ -1,0 +1,71 @@
+#include "app/render_demo.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/demo_loading.h"
+#include "app/demo_run.h"
+#include "app/diagnostics.h"
+#include "app/film.h"
+#include "app/frame_report.h"
+#include "app/progress.h"
+
+namespace temblor::app {
+namespace {
+
+// At that rate.
+std::size_t count_frames(const client::DemoLength& length, int frames_per_second) {
+  const double seconds = std::max(0.0, length.last_time_s - length.first_time_s);
+  return static_cast<std::size_t>(std::floor(seconds * frames_per_second)) + 1;
+}
+
+void print_notes(DemoRun& io_run) {
+  for (const std::string& note : io_run.take_notes()) print_note(note);
+}
+
+// Plays and draws frames first to last; those before are played only, so that smoke and fire are as they
+// would be. An error of the recording ends it there.
+base::Status film_frames(DemoRun& io_run, const RenderOptions& options, double start_s, FrameRange frames,
+                         Film& io_film) {
+  Progress progress("frames");
+  for (std::size_t number = 0; number < frames.end; ++number) {
+    const double time_s = start_s + static_cast<double>(number) / options.frames_per_second;
+    TRY(const bool goes_on, io_run.advance_to(time_s));
+    print_notes(io_run);
+    if (number >= frames.first) {
+      const render::FrameStats stats = io_run.draw();
+      TRY_STATUS(io_film.add(io_run.frame()));
+      if (options.stats)
+        fmt::print("frame {}\n{}", number, describe_frame(stats, io_run.frame().pixel_count()));
+    }
+    progress.update(number + 1, frames.end);
+    if (!goes_on) break;
+  }
+  return base::Ok{};
+}
+
+}  // namespace
+
+base::Status render_demo(const RenderOptions& options, const GameFolders& folders,
+                         const client::PresentationSettings& presentation, const render::Settings& settings) {
+  TRY(const LoadedDemo demo, load_demo(folders, options.demo));
+  TRY(const client::DemoLength length, client::DemoPlayer::scan(demo.bytes, demo.name));
+  const std::size_t frame_count = count_frames(length, options.frames_per_second);
+  const FrameRange range = options.frame_range.value_or(FrameRange{0, kMaxFrames});
+  const std::size_t first = range.first, end = std::min(frame_count, range.end);
+  if (first >= end)
+    return base::error(base::ErrorCode::kUsage, "--frames: {} has frames 0 to {} at {} a second", demo.name,
+                       frame_count - 1, options.frames_per_second);
+  TRY(DemoRun run, DemoRun::start(demo, options.frame, presentation, settings));
+  TRY(Film film,
+      Film::open(options.out, {options.frame.size, options.frames_per_second, first}, demo.look.palette));
+  const base::Status played = film_frames(run, options, length.first_time_s, {first, end}, film);
+  // What came before a fault is kept.
+  TRY_STATUS(film.finish());
+  if (run.cut_short()) print_note(fmt::format("{}: the recording is cut off in its last message", demo.name));
+  return played;
+}
+
+}  // namespace temblor::app

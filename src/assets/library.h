@@ -1,0 +1,38 @@
+// Everything that a game's files hold, by name, loaded and checked. Errors name the file.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "assets/assets.h"
+#include "assets/pictures.h"
+#include "base/result.h"
+#include "formats/image.h"
+#include "formats/mdl.h"
+#include "formats/spr.h"
+#include "vfs/file_system.h"
+
+namespace temblor::assets {
+
+class Library {
+ public:
+  explicit Library(vfs::FileSystem files) : files_(std::move(files)) {}
+
+  // `path` as game code names it: "maps/start.bsp", "progs/ogre.mdl", "progs/s_explod.spr".
+  base::Result<LoadedLevel> level(std::string_view path) const;
+  base::Result<formats::Mdl> alias_model(std::string_view path) const;
+  base::Result<formats::Spr> sprite(std::string_view path) const;
+  // gfx/env/NAMErt.tga and so on, or .png: right, back, left, front, up, down; the names' right is +x. Sides
+  // that are missing or damaged are empty, with a line in `io_notes` for each.
+  std::array<formats::Image, 6> skybox(std::string_view name, std::vector<std::string>& io_notes) const;
+  base::Result<Look> look() const { return load_look(files_); }
+  Pictures pictures(std::vector<std::string>& io_notes) const { return Pictures::load(files_, io_notes); }
+  const vfs::FileSystem& files() const { return files_; }
+
+ private:
+  vfs::FileSystem files_;
+};
+
+}  // namespace temblor::assets

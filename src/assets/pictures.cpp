@@ -1,0 +1,120 @@
+#include "assets/pictures.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "assets/stock_pictures.h"
+#include "base/text.h"
+#include "formats/wad.h"
+
+namespace temblor::assets {
+namespace {
+
+constexpr std::string_view kWad = "gfx.wad", kCharacters = "conchars";
+constexpr std::uint32_t kCharactersSide = 128;  // pixels
+
+using PictureMap = std::map<std::string, formats::Picture, std::less<>>;
+
+formats::Picture make_checker(std::uint32_t width, std::uint32_t height) {
+  constexpr std::uint8_t kDark = 0, kLight = 15;
+  formats::Picture picture{width, height, {}};
+  picture.pixels.reserve(std::size_t{width} * height);
+  for (std::uint32_t y = 0; y < height; ++y)
+    for (std::uint32_t x = 0; x < width; ++x)
+      picture.pixels.push_back((x / 4 + y / 4) % 2 == 0 ? kDark : kLight);
+  return picture;
+}
+
+// Damaged ones are left out, and named in `io_bad`.
+void load_wad(const vfs::FileSystem& files, PictureMap& io_pictures,
+              std::optional<formats::Picture>& out_characters, std::vector<std::string>& io_bad) {
+  const base::Result<base::ByteVector> bytes = files.read(kWad);
+  if (!bytes.ok()) return;  // all of it is missing
+  const base::Result<std::vector<formats::WadLump>> lumps = formats::read_wad(*bytes);
+  if (!lumps.ok()) {
+    io_bad.push_back(lumps.error().message());
+    return;
+  }
+  for (const formats::WadLump& lump : *lumps) {
+    const std::string name = base::to_lower(lump.name);
+    const bool is_characters = name == kCharacters;
+    if (!is_characters && lump.type != formats::kWadPicture) continue;
+    base::Result<formats::Picture> picture =
+        is_characters ? formats::read_conchars(lump.data) : formats::read_picture(lump.data);
+    if (!picture.ok())
+      io_bad.push_back(fmt::format("{}: {}", base::printable(name), picture.error().message()));
+    else if (is_characters)
+      out_characters = std::move(picture).value();
+    else
+      io_pictures.emplace(name, std::move(picture).value());  // the first of a name, as find_lump()
+  }
+}
+
+bool is_other_than_a_picture(std::string_view name) {
+  return name == "gfx/palette.lmp" || name == "gfx/colormap.lmp";
+}
+
+void load_files(const vfs::FileSystem& files, PictureMap& io_pictures, std::vector<std::string>& io_bad) {
+  for (const std::string& name : files.list("gfx/", ".lmp")) {
+    if (is_other_than_a_picture(name)) continue;
+    const base::Result<base::ByteVector> bytes = files.read(name);
+    base::Result<formats::Picture> picture =
+        bytes.ok() ? formats::read_picture(*bytes) : base::Result<formats::Picture>(bytes.error());
+    if (picture.ok())
+      io_pictures.emplace(name, std::move(picture).value());
+    else
+      io_bad.push_back(fmt::format("{}: {}", base::printable(name), picture.error().message()));
+  }
+}
+
+void stand_in(std::span<const StockPicture> stock, PictureMap& io_pictures,
+              std::vector<std::string>& io_missing) {
+  for (const StockPicture& picture : stock)
+    if (io_pictures.emplace(picture.name, formats::Picture{}).second) {
+      io_pictures[picture.name] = make_checker(picture.width, picture.height);
+      io_missing.push_back(picture.name);
+    }
+}
+
+std::string first_few(std::vector<std::string> names) {
+  constexpr std::size_t kShown = 8;
+  const std::size_t count = names.size();
+  if (count > kShown) {
+    names.resize(kShown);
+    names.push_back(fmt::format("and {} more", count - kShown));
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+Pictures Pictures::load(const vfs::FileSystem& files, std::vector<std::string>& io_notes) {
+  Pictures loaded;
+  std::vector<std::string> bad, missing;
+  std::optional<formats::Picture> characters;
+  load_wad(files, loaded.pictures_, characters, bad);
+  load_files(files, loaded.pictures_, bad);
+  if (!characters) missing.emplace_back(kCharacters);
+  loaded.characters_ = characters ? std::move(*characters) : make_checker(kCharactersSide, kCharactersSide);
+  stand_in(stock_wad_pictures(), loaded.pictures_, missing);
+  stand_in(stock_picture_files(), loaded.pictures_, missing);
+
+  std::string note;
+  if (!missing.empty()) note = fmt::format("pictures drawn as a checker: {}", first_few(missing));
+  if (!bad.empty()) note += fmt::format("{}damaged: {}", note.empty() ? "pictures " : "; ", first_few(bad));
+  if (!note.empty()) io_notes.push_back(fmt::format("{}: {}", files.describe(kWad), note));
+  return loaded;
+}
+
+const formats::Picture* Pictures::find(std::string_view name) const {
+  const auto found = pictures_.find(name);
+  if (found != pictures_.end()) return &found->second;
+  const auto lower = pictures_.find(base::to_lower(name));
+  return lower == pictures_.end() ? nullptr : &lower->second;
+}
+
+}  // namespace temblor::assets

@@ -1,0 +1,82 @@
+#include "client/hud.h"
+
+#include <limits>
+
+#include "client/hud/center_text.h"
+#include "client/hud/ending.h"
+#include "client/hud/panel.h"
+#include "client/hud/scoreboard.h"
+#include "client/hud/status_bar.h"
+
+namespace temblor::client {
+
+namespace {
+
+constexpr double kPainSeconds = 0.2, kCenterTextSeconds = 2;
+
+void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
+               const HudSettings& settings) {
+  if (settings.status_bar == StatusBar::kNone) return;
+  const Panel bar = panel.at_bottom(kBarHeight);
+  if (settings.status_bar == StatusBar::kFull)
+    draw_inventory(panel.at_bottom(kBarHeight + kInventoryHeight), game, times, time_s, settings.opacity);
+  if (game.stat(Stat::kHealth) <= 0)
+    draw_level_scores(bar, game, time_s, settings.opacity);
+  else
+    draw_status_bar(bar, game, times, time_s, settings.opacity);
+}
+
+void draw_play(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
+               const HudSettings& settings) {
+  draw_bars(panel, game, times, time_s, settings);
+  if (game.deathmatch && game.stat(Stat::kHealth) <= 0)
+    draw_ranking(panel.in_middle(kScreenHeight), game);
+  else if (time_s - game.center_text_since_s < kCenterTextSeconds)
+    draw_center_text(panel, game.center_text);
+}
+
+void draw_pause(const Panel& panel) {
+  constexpr int kY = 64;  // in the middle of what the status bar leaves
+  panel.in_middle(kScreenHeight).picture_in_middle("gfx/pause.lmp", kY);
+}
+
+}  // namespace
+
+void Hud::begin_level() {
+  constexpr double kNever = std::numeric_limits<double>::lowest();
+  times_.pain_until_s = kNever;
+  times_.item_gained_s.fill(kNever);
+  items_ = 0;
+  last_time_s_ = kNever;
+}
+
+void Hud::advance(const Game& game, const Events& events, double time_s) {
+  if (events.new_level || time_s < last_time_s_) begin_level();
+  last_time_s_ = time_s;
+  const std::uint32_t gained = game.data.items & ~items_;
+  items_ = game.data.items;
+  for (std::size_t bit = 0; bit < times_.item_gained_s.size(); ++bit)
+    if ((gained >> bit & 1) != 0) times_.item_gained_s[bit] = time_s;
+  for (const net::Damage& damage : events.damages)
+    if (damage.armor > 0 || damage.blood > 0) times_.pain_until_s = time_s + kPainSeconds;
+}
+
+void Hud::draw(const Game& game, double time_s, int width, int height, const HudSettings& settings,
+               render::DrawList& io_list) const {
+  const Panel panel(pictures_, io_list, width, height, choose_scale(width, height, settings.scale));
+  switch (game.ending) {
+    case Ending::kNone:
+      draw_play(panel, game, times_, time_s, settings);
+      break;
+    case Ending::kIntermission:
+      draw_intermission(panel, game);
+      break;
+    case Ending::kFinale:
+    case Ending::kCutScene:
+      draw_finale(panel, game, time_s);
+      break;
+  }
+  if (game.paused) draw_pause(panel);
+}
+
+}  // namespace temblor::client

@@ -1,0 +1,55 @@
+#include "client/hud/ending.h"
+
+#include <algorithm>
+
+#include "client/hud/center_text.h"
+#include "client/hud/scoreboard.h"
+
+namespace temblor::client {
+
+namespace {
+
+// Beside the words of gfx/inter.lmp.
+constexpr int kFirstX = 160, kTimeY = 64, kSecretsY = 104, kKillsY = 144;
+constexpr int kDigits = 3, kDigitWidth = 24;
+
+void draw_time(const Panel& screen, double time_s) {
+  constexpr int kColonX = kFirstX + kDigits * kDigitWidth, kSecondsX = kColonX + 16;
+  const int seconds = static_cast<int>(std::clamp(time_s, 0.0, 59999.0));
+  screen.number(seconds / 60, kDigits, false, kFirstX, kTimeY);
+  screen.picture("num_colon", kColonX, kTimeY);
+  screen.number(seconds % 60 / 10, 1, false, kSecondsX, kTimeY);
+  screen.number(seconds % 10, 1, false, kSecondsX + kDigitWidth, kTimeY);
+}
+
+void draw_share(const Panel& screen, int part, int whole, int y) {
+  constexpr int kSlashX = kFirstX + kDigits * kDigitWidth, kWholeX = kSlashX + 16;
+  screen.number(part, kDigits, false, kFirstX, y);
+  screen.picture("num_slash", kSlashX, y);
+  screen.number(whole, kDigits, false, kWholeX, y);
+}
+
+}  // namespace
+
+void draw_intermission(const Panel& panel, const Game& game) {
+  const Panel screen = panel.in_middle(kScreenHeight);
+  if (game.deathmatch) {
+    draw_ranking(screen, game);
+    return;
+  }
+  constexpr int kTitleY = 24, kWordsX = 0, kWordsY = 56;
+  screen.picture_in_middle("gfx/complete.lmp", kTitleY);
+  screen.picture("gfx/inter.lmp", kWordsX, kWordsY);
+  draw_time(screen, game.ending_since_s);
+  draw_share(screen, game.stat(Stat::kSecrets), game.stat(Stat::kTotalSecrets), kSecretsY);
+  draw_share(screen, game.stat(Stat::kMonsters), game.stat(Stat::kTotalMonsters), kKillsY);
+}
+
+void draw_finale(const Panel& panel, const Game& game, double time_s) {
+  constexpr int kTitleY = 16;
+  if (game.ending == Ending::kFinale)
+    panel.in_middle(kScreenHeight).picture_in_middle("gfx/finale.lmp", kTitleY);
+  draw_center_text(panel, game.ending_text, letters_written(time_s - game.ending_since_s));
+}
+
+}  // namespace temblor::client

@@ -1,0 +1,18 @@
+// The status bar: 320 x 24 of the original's pixels, and above it the inventory, as large.
+#pragma once
+
+#include "client/client_state.h"
+#include "client/hud.h"
+#include "client/hud/panel.h"
+
+namespace temblor::client {
+
+// Armour, face, health, ammunition, each with its number. `bar`: of kBarHeight.
+void draw_status_bar(const Panel& bar, const Game& game, const HudTimes& times, double time_s, float opacity);
+
+// Weapons, ammunition of all kinds, keys, power-ups, sigils, and in deathmatch the leaders' frags.
+// `inventory`: of kInventoryHeight.
+void draw_inventory(const Panel& inventory, const Game& game, const HudTimes& times, double time_s,
+                    float opacity);
+
+}  // namespace temblor::client

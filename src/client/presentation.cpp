@@ -1,0 +1,79 @@
+#include "client/presentation.h"
+
+#include <algorithm>
+
+namespace temblor::client {
+namespace {
+
+// The one that the view is seen from, if the last packet showed it.
+const SeenEntity* find_entity(std::span<const SeenEntity> entities, std::uint32_t number) {
+  const auto found =
+      std::lower_bound(entities.begin(), entities.end(), number,
+                       [](const SeenEntity& entity, std::uint32_t wanted) { return entity.number < wanted; });
+  return found != entities.end() && found->number == number ? &*found : nullptr;
+}
+
+}  // namespace
+
+Presentation::Presentation(const assets::Library& library)
+    : library_(library), pictures_(library.pictures(notes_)), hud_(pictures_) {}
+
+base::Status Presentation::begin_level(const Game& game) {
+  scene_ = {};
+  models_.reset();
+  TRY(ModelTable models, ModelTable::load(library_, game.models, notes_));
+  models_.emplace(std::move(models));
+  environment_ = environment_of(*models_->level());
+  hud_.begin_level();
+  effects_.begin_level();
+  view_.begin_level();
+  scene_builder_.begin_level();
+  return base::Ok{};
+}
+
+void Presentation::apply_environment(const Game& game, double time_s, const PresentationSettings& settings) {
+  scene_.liquid_alpha = environment_.liquid_alpha(settings.liquid_alpha);
+  if (settings.fog) {
+    const net::Fog fog = fog_at(game, {environment_.fog.density, environment_.fog.colour, 0}, time_s);
+    scene_.fog = {fog.density, fog.colour};
+  }
+  const std::string& skybox = game.skybox ? *game.skybox : environment_.skybox;
+  if (skybox != skybox_name_) {
+    skybox_name_ = skybox;
+    skybox_ = {};
+    if (!skybox.empty()) skybox_.sides = library_.skybox(skybox, notes_);
+  }
+  scene_.skybox = settings.skybox && !skybox_name_.empty() ? &skybox_ : nullptr;
+}
+
+base::Status Presentation::advance(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
+                                   const PresentationSettings& settings) {
+  const Game& game = io_state.game();
+  if (io_state.events().new_level) TRY_STATUS(begin_level(game));
+  if (!models_) return base::Ok{};
+
+  const std::span<const SeenEntity> entities = io_state.entities_at(time_s, settings.client);
+  const world::Level& level = *models_->level();
+  effects_.advance(io_state.events(), {level, time_s, entities, models_->flags(), game.view_entity},
+                   settings.effects);
+  const ViewMoment moment{time_s, view_angles_deg, find_entity(entities, game.view_entity), level};
+  const PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
+  hud_.advance(game, io_state.events(), time_s);
+  scene_ = scene_builder_.build(
+      {*models_, game, entities, effects_, view, io_state.weapon_frame_at(time_s, settings.client), time_s,
+       settings.show_weapon && game.ending == Ending::kNone},
+      notes_);
+  apply_environment(game, time_s, settings);
+  time_s_ = time_s;
+  io_state.events().clear();
+  return base::Ok{};
+}
+
+const render::DrawList& Presentation::draw_list(const ClientState& state, int width, int height,
+                                                const PresentationSettings& settings) {
+  draw_list_.clear();
+  hud_.draw(state.game(), time_s_, width, height, settings.hud, draw_list_);
+  return draw_list_;
+}
+
+}  // namespace temblor::client

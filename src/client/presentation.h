@@ -1,0 +1,74 @@
+// From the client's state to a frame: scene and 2-D. The same for a recording and for a game.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "assets/library.h"
+#include "base/result.h"
+#include "client/client_state.h"
+#include "client/effects.h"
+#include "client/hud.h"
+#include "client/level_environment.h"
+#include "client/model_table.h"
+#include "client/scene_builder.h"
+#include "client/view.h"
+#include "render/draw_list.h"
+#include "render/scene.h"
+
+namespace temblor::client {
+
+struct PresentationSettings {
+  ClientSettings client;
+  EffectsSettings effects;
+  ViewSettings view;
+  HudSettings hud;
+  bool show_weapon = true;
+  // Of liquids whose level says nothing of its own.
+  render::LiquidAlpha liquid_alpha;
+  bool fog = true, skybox = true;
+};
+
+class Presentation {
+ public:
+  explicit Presentation(const assets::Library& library);
+
+  // Time passes up to `time_s`, and the state's events are acted on and cleared. Loads the level's models
+  // when a new one has begun; fails when the level cannot be loaded. Nothing is drawn before the state is in
+  // a game.
+  base::Status advance(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
+                       const PresentationSettings& settings);
+  // Whether there is a level to draw.
+  bool has_level() const { return models_.has_value(); }
+
+  // What the last advance() led to. Valid until the next one, and while the state lives.
+  const render::Scene& scene() const { return scene_; }
+  const render::DrawList& draw_list(const ClientState& state, int width, int height,
+                                    const PresentationSettings& settings);
+
+  // What was made do with since the last time it was asked for, a line each.
+  std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
+
+ private:
+  base::Status begin_level(const Game& game);
+  void apply_environment(const Game& game, double time_s, const PresentationSettings& settings);
+
+  const assets::Library& library_;
+  assets::Pictures pictures_;
+  std::optional<ModelTable> models_;
+  Effects effects_;
+  View view_;
+  Hud hud_;
+  SceneBuilder scene_builder_;
+  LevelEnvironment environment_;
+  std::string skybox_name_;
+  render::Skybox skybox_;
+  render::Scene scene_;
+  render::DrawList draw_list_;
+  double time_s_ = 0;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace temblor::client

@@ -1,0 +1,127 @@
+#include "net/wire/entity_update.h"
+
+#include <array>
+
+namespace temblor::net {
+namespace {
+
+enum Flags : std::uint32_t {
+  kMoreBits = 1u << 0,  // a second byte of flags follows
+  kStep = 1u << 5,
+  kFrame = 1u << 6,
+  kSignal = 1u << 7,  // tells an update's first byte from other messages' numbers
+  kModel = 1u << 10,
+  kColormap = 1u << 11,
+  kSkin = 1u << 12,
+  kEffects = 1u << 13,
+  kLongEntity = 1u << 14,
+  kExtend1 = 1u << 15,  // a third byte of flags follows
+  kAlpha = 1u << 16,
+  kFrame2 = 1u << 17,  // the high byte
+  kModel2 = 1u << 18,  // the high byte
+  kLerpFinish = 1u << 19,
+  kScale = 1u << 20,
+  kExtend2 = 1u << 23,  // a fourth byte of flags follows
+};
+constexpr std::array<std::uint32_t, 3> kOrigin = {1u << 1, 1u << 2, 1u << 3};
+constexpr std::array<std::uint32_t, 3> kAngle = {1u << 8, 1u << 4, 1u << 9};
+
+constexpr std::uint32_t kFlagsOf15 = kExtend1 - 1;
+constexpr std::uint32_t kFlagsOf666 =
+    kFlagsOf15 | kExtend1 | kAlpha | kFrame2 | kModel2 | kLerpFinish | kScale | kExtend2;
+
+std::uint32_t read_flags(std::uint8_t id, FieldReader& io_fields) {
+  const bool extended = is_extended(io_fields.dialect());
+  std::uint32_t flags = id;
+  if (flags & kMoreBits) flags |= std::uint32_t{io_fields.u8()} << 8;
+  if (extended && (flags & kExtend1)) flags |= std::uint32_t{io_fields.u8()} << 16;
+  if (extended && (flags & kExtend2)) flags |= std::uint32_t{io_fields.u8()} << 24;
+  io_fields.check_flags(flags, extended ? kFlagsOf666 : kFlagsOf15);
+  return flags;
+}
+
+// The high byte of a field whose low byte came earlier. Without that one the field is refused: the rest of it
+// would be the baseline's, which a reader of messages does not know.
+void read_high_byte(std::optional<std::uint16_t>& io_field, const char* what, FieldReader& io_fields) {
+  const std::uint8_t high = io_fields.u8();
+  if (io_field)
+    *io_field = static_cast<std::uint16_t>(*io_field | high << 8);
+  else
+    io_fields.refuse(base::ErrorCode::kMalformed, "the {}'s high byte comes without its low byte", what);
+}
+
+std::uint32_t flags_of(const EntityUpdate& update, bool extended) {
+  std::uint32_t flags = kSignal;
+  if (update.step) flags |= kStep;
+  if (update.model) flags |= kModel;
+  if (update.frame) flags |= kFrame;
+  if (update.colormap) flags |= kColormap;
+  if (update.skin) flags |= kSkin;
+  if (update.effects) flags |= kEffects;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (update.origin[axis]) flags |= kOrigin[axis];
+    if (update.angles_deg[axis]) flags |= kAngle[axis];
+  }
+  if (update.number > 255) flags |= kLongEntity;
+  if (extended) {
+    if (update.alpha) flags |= kAlpha;
+    if (update.scale) flags |= kScale;
+    if (update.frame.value_or(0) > 255) flags |= kFrame2;
+    if (update.model.value_or(0) > 255) flags |= kModel2;
+    if (update.next_think_s) flags |= kLerpFinish;
+  }
+  if (flags >> 16) flags |= kExtend1;
+  if (flags >> 8) flags |= kMoreBits;
+  return flags;
+}
+
+}  // namespace
+
+EntityUpdate read_entity_update(std::uint8_t id, FieldReader& io_fields) {
+  const std::uint32_t flags = read_flags(id, io_fields);
+  EntityUpdate update;
+  update.step = flags & kStep;
+  update.number = io_fields.entity(flags & kLongEntity ? io_fields.u16() : io_fields.u8());
+  if (flags & kModel) update.model = io_fields.u8();
+  if (flags & kFrame) update.frame = io_fields.u8();
+  if (flags & kColormap) update.colormap = io_fields.u8();
+  if (flags & kSkin) update.skin = io_fields.u8();
+  if (flags & kEffects) update.effects = io_fields.u8();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (flags & kOrigin[axis]) update.origin[axis] = io_fields.coord();
+    if (flags & kAngle[axis]) update.angles_deg[axis] = io_fields.angle_deg();
+  }
+  if (flags & kAlpha) update.alpha = alpha_of(io_fields.u8());
+  if (flags & kScale) update.scale = static_cast<float>(io_fields.u8()) / kScaleSteps;
+  if (flags & kFrame2) read_high_byte(update.frame, "frame", io_fields);
+  if (flags & kModel2) read_high_byte(update.model, "model", io_fields);
+  if (flags & kLerpFinish) update.next_think_s = static_cast<float>(io_fields.u8()) / kNextThinkSteps;
+  return update;
+}
+
+void write_entity_update(const EntityUpdate& update, FieldWriter& io_fields) {
+  const std::uint32_t flags = flags_of(update, is_extended(io_fields.dialect()));
+  io_fields.u8(static_cast<std::uint8_t>(flags));
+  if (flags & kMoreBits) io_fields.u8(static_cast<std::uint8_t>(flags >> 8));
+  if (flags & kExtend1) io_fields.u8(static_cast<std::uint8_t>(flags >> 16));
+  if (flags & kLongEntity)
+    io_fields.entity(update.number);
+  else
+    io_fields.u8(static_cast<std::uint8_t>(update.number));
+  if (update.model) io_fields.low_byte(*update.model, flags & kModel2, "model");
+  if (update.frame) io_fields.low_byte(*update.frame, flags & kFrame2, "frame");
+  if (update.colormap) io_fields.u8(*update.colormap);
+  if (update.skin) io_fields.u8(*update.skin);
+  if (update.effects) io_fields.u8(*update.effects);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (update.origin[axis]) io_fields.coord(*update.origin[axis]);
+    if (update.angles_deg[axis]) io_fields.angle_deg(*update.angles_deg[axis]);
+  }
+  if (flags & kAlpha) io_fields.u8(alpha_byte(*update.alpha));
+  if (flags & kScale) io_fields.steps8(*update.scale, kScaleSteps);
+  if (flags & kFrame2) io_fields.u8(static_cast<std::uint8_t>(*update.frame >> 8));
+  if (flags & kModel2) io_fields.u8(static_cast<std::uint8_t>(*update.model >> 8));
+  if (flags & kLerpFinish) io_fields.steps8(*update.next_think_s, kNextThinkSteps);
+}
+
+}  // namespace temblor::net

@@ -1,0 +1,141 @@
+// Projected in batches, dealt out to bands of rows in their order, drawn band by band: where a batch or a
+// band ends changes nothing.
+#include "render/models/draw_particles.h"
+
+#include <algorithm>
+#include <span>
+
+#include "base/check.h"
+#include "render/models/particle_kernels.h"
+
+namespace temblor::render {
+
+namespace {
+
+constexpr double kSideUnits = 0.8;
+constexpr double kLeastSideOf320 = 1, kMostSideOf320 = 4;  // pixels of a picture 320 wide
+constexpr std::size_t kBatch = 4096;                       // particles
+constexpr int kBandRows = 32;
+
+// As ParticleBatch says, one of each for every particle.
+struct Squares {
+  std::span<std::int32_t> left, top, side;
+  std::span<float> depth;
+  std::span<std::uint32_t> colour;
+};
+
+struct Band {
+  int first_row, end_row;
+  std::span<ParticleRect> rects;
+};
+
+void copy_axis(const math::Vec3d& from, float (&out)[3]) {
+  for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(from[i]);
+}
+
+ParticleProjection make_projection(const ViewFrame& view) {
+  ParticleProjection projection{};
+  copy_axis(view.eye_world, projection.eye);
+  copy_axis(view.axes.right, projection.right);
+  copy_axis(view.axes.up, projection.up);
+  copy_axis(view.axes.forward, projection.forward);
+  projection.perspective = view.perspective;
+  projection.pixels_per_unit = static_cast<float>(view.pixels_per_unit);
+  projection.centre_x = static_cast<float>(view.centre_x);
+  projection.centre_y = static_cast<float>(view.centre_y);
+  projection.width = static_cast<float>(view.width);
+  projection.height = static_cast<float>(view.height);
+  projection.side_at_one_unit = static_cast<float>(kSideUnits * view.pixels_per_unit);
+  // Wider pictures than 4:3 see more, not larger.
+  const double growth = std::min<double>(view.width, view.height * 4.0 / 3.0) / 320.0;
+  projection.least_side = static_cast<float>(std::max(1.0, kLeastSideOf320 * growth));
+  projection.most_side = static_cast<float>(std::max(1.0, kMostSideOf320 * growth));
+  return projection;
+}
+
+Squares project(const ParticleCloud& cloud, const ParticleProjection& projection, bool vector_kernels,
+                base::Jobs& jobs, base::Arena& arena) {
+  const std::size_t count = cloud.size();
+  const Squares squares{arena.allocate<std::int32_t>(count), arena.allocate<std::int32_t>(count),
+                        arena.allocate<std::int32_t>(count), arena.allocate<float>(count),
+                        arena.allocate<std::uint32_t>(count)};
+  jobs.parallel_for((count + kBatch - 1) / kBatch, [&](std::size_t number) {
+    const std::size_t first = number * kBatch;
+    const ParticleBatch batch{cloud.x.data() + first,      cloud.y.data() + first,
+                              cloud.z.data() + first,      std::min(kBatch, count - first),
+                              squares.left.data() + first, squares.top.data() + first,
+                              squares.side.data() + first, squares.depth.data() + first};
+    (vector_kernels ? project_particles_vector : project_particles_plain)(projection, batch);
+  });
+  return squares;
+}
+
+// The bands that a square which is in view touches.
+struct BandRange {
+  std::size_t first, last;
+};
+BandRange bands_of(int top, int side, int height) {
+  return {static_cast<std::size_t>(std::max(top, 0) / kBandRows),
+          static_cast<std::size_t>((std::min(top + side, height) - 1) / kBandRows)};
+}
+
+ParticleRect clip(const Squares& squares, std::size_t i, const Band& band, int width) {
+  const int left = squares.left[i], top = squares.top[i], side = squares.side[i];
+  const int x = std::max(left, 0), y = std::max(top, band.first_row);
+  return {squares.depth[i],
+          static_cast<std::uint16_t>(x),
+          static_cast<std::uint16_t>(y),
+          static_cast<std::uint16_t>(std::min(left + side, width) - x),
+          static_cast<std::uint16_t>(std::min(top + side, band.end_row) - y),
+          squares.colour[i]};
+}
+
+std::span<Band> deal_to_bands(const Squares& squares, const ViewFrame& view, base::Arena& arena) {
+  const std::size_t band_count = static_cast<std::size_t>((view.height + kBandRows - 1) / kBandRows);
+  const std::span<std::size_t> rects_in = arena.allocate_filled<std::size_t>(band_count, 0);
+  for (std::size_t i = 0; i < squares.side.size(); ++i) {
+    if (squares.side[i] == 0) continue;
+    const BandRange range = bands_of(squares.top[i], squares.side[i], view.height);
+    for (std::size_t band = range.first; band <= range.last; ++band) ++rects_in[band];
+  }
+  const std::span<Band> bands = arena.allocate<Band>(band_count);
+  for (std::size_t number = 0; number < band_count; ++number) {
+    const int first_row = static_cast<int>(number) * kBandRows;
+    bands[number] = {first_row, std::min(first_row + kBandRows, view.height),
+                     arena.allocate<ParticleRect>(rects_in[number])};
+    rects_in[number] = 0;
+  }
+  for (std::size_t i = 0; i < squares.side.size(); ++i) {
+    if (squares.side[i] == 0) continue;
+    const BandRange range = bands_of(squares.top[i], squares.side[i], view.height);
+    for (std::size_t band = range.first; band <= range.last; ++band)
+      bands[band].rects[rects_in[band]++] = clip(squares, i, bands[band], view.width);
+  }
+  return bands;
+}
+
+}  // namespace
+
+void draw_particles(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                    const ColourTables& tables, base::Jobs& jobs, base::Arena& arena, FrameBuffer& io_frame) {
+  const ParticleCloud& cloud = scene.particles;
+  CHECK(
+      cloud.y.size() == cloud.size() && cloud.z.size() == cloud.size() && cloud.colour.size() == cloud.size(),
+      "{}, {}, {}, {} particles", cloud.x.size(), cloud.y.size(), cloud.z.size(), cloud.colour.size());
+  if (cloud.size() == 0) return;
+  const bool vectors = settings.vector_kernels, indexed = io_frame.format() == PixelFormat::kIndexed;
+  const Squares squares = project(cloud, make_projection(view), vectors, jobs, arena);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    squares.colour[i] = indexed ? cloud.colour[i] : tables.rgb[cloud.colour[i]];
+  const std::span<const Band> bands = deal_to_bands(squares, view, arena);
+
+  const ParticleTarget target{indexed ? static_cast<void*>(io_frame.indexed().data()) : io_frame.rgb().data(),
+                              io_frame.depth().data(), static_cast<std::size_t>(io_frame.width())};
+  const auto draw = indexed ? (vectors ? draw_particles_u8_vector : draw_particles_u8_plain)
+                            : (vectors ? draw_particles_u32_vector : draw_particles_u32_plain);
+  jobs.parallel_for(bands.size(), [&](std::size_t number) {
+    draw(bands[number].rects.data(), bands[number].rects.size(), target);
+  });
+}
+
+}  // namespace temblor::render

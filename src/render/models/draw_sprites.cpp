@@ -1,0 +1,137 @@
+#include "render/models/draw_sprites.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "render/colour/blend_tables.h"
+#include "render/models/sprite_kernels.h"
+
+namespace temblor::render {
+
+namespace {
+
+constexpr int kBandRows = 64;
+
+struct PixelRange {
+  int first, end;
+};
+
+// Pixels of a row whose centres the outline covers.
+PixelRange pixels_of_row(const SpriteOutline& outline, int row, int width) {
+  double left = width, right = 0;
+  for (std::size_t i = 0; i < outline.count; ++i) {
+    const math::Vec2d &from = outline.corners[i], &to = outline.corners[(i + 1) % outline.count];
+    if ((from.y <= row) == (to.y <= row)) continue;
+    const double x = from.x + (row - from.y) * ((to.x - from.x) / (to.y - from.y));
+    left = std::min(left, x);
+    right = std::max(right, x);
+  }
+  return {static_cast<int>(std::ceil(std::max(left, 0.0))),
+          static_cast<int>(std::ceil(std::min<double>(right, width)))};
+}
+
+SpriteLine line_along(const ScreenPlane& plane, int x, int y) {
+  return {static_cast<float>(plane.at(x, y)), static_cast<float>(plane.dx)};
+}
+
+// Lacks where to draw to.
+SpriteRow make_row(const SpriteQuad& quad, const ColourTables& tables, int y, PixelRange range) {
+  const formats::SprPicture& picture = *quad.picture;
+  SpriteRow row{};
+  row.depth = line_along(quad.depth, range.first, y);
+  row.s = line_along(quad.s, range.first, y);
+  row.t = line_along(quad.t, range.first, y);
+  row.affine = quad.affine;
+  row.texels = picture.texels.data();
+  row.width = static_cast<std::int32_t>(picture.width);
+  row.height = static_cast<std::int32_t>(picture.height);
+  row.colours = tables.rgb.data();
+  row.count = range.end - range.first;
+  return row;
+}
+
+void draw_opaque(SpriteRow row, std::size_t first_pixel, bool vector_kernels, FrameBuffer& io_frame) {
+  row.frame_depth = io_frame.depth().data() + first_pixel;
+  if (io_frame.format() == PixelFormat::kIndexed) {
+    row.pixels = io_frame.indexed().data() + first_pixel;
+    vector_kernels ? draw_sprite_row_u8_vector(row) : draw_sprite_row_u8_plain(row);
+  } else {
+    row.pixels = io_frame.rgb().data() + first_pixel;
+    vector_kernels ? draw_sprite_row_u32_vector(row) : draw_sprite_row_u32_plain(row);
+  }
+}
+
+void blend_texels(std::span<const std::uint8_t> texels, const SpriteBlend& blend, const ColourTables& tables,
+                  std::size_t first_pixel, FrameBuffer& io_frame) {
+  const bool indexed = io_frame.format() == PixelFormat::kIndexed;
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    if (texels[i] == kClearTexel) continue;
+    if (indexed) {
+      std::uint8_t& pixel = io_frame.indexed()[first_pixel + i];
+      pixel = blend.table[texels[i] * 256 + pixel];
+    } else {
+      std::uint32_t& pixel = io_frame.rgb()[first_pixel + i];
+      pixel = blend_rgb(tables.rgb[texels[i]], pixel, blend.opacity_256);
+    }
+  }
+}
+
+// Which texels show is found out beside the picture, piece by piece.
+void draw_blended(SpriteRow row, const SpriteBlend& blend, const ColourTables& tables,
+                  std::size_t first_pixel, bool vector_kernels, FrameBuffer& io_frame) {
+  constexpr int kPiece = 256;
+  std::array<std::uint8_t, kPiece> texels;
+  std::array<float, kPiece> depth;
+  row.pixels = texels.data();
+  row.frame_depth = depth.data();
+  const int count = row.count;
+  for (row.first = 0; row.first < count; row.first += kPiece) {
+    row.count = std::min(kPiece, count - row.first);
+    const std::size_t piece = first_pixel + static_cast<std::size_t>(row.first);
+    std::copy_n(io_frame.depth().data() + piece, row.count, depth.data());
+    std::fill_n(texels.data(), row.count, kClearTexel);
+    vector_kernels ? draw_sprite_row_u8_vector(row) : draw_sprite_row_u8_plain(row);
+    blend_texels(std::span(texels).first(static_cast<std::size_t>(row.count)), blend, tables, piece,
+                 io_frame);
+  }
+}
+
+}  // namespace
+
+void draw_sprite_instance(const SpriteQuad& quad, const SpriteBlend& blend, const ColourTables& tables,
+                          bool vector_kernels, RowRange rows, FrameBuffer& io_frame) {
+  const bool opaque = blend.is_opaque(io_frame.format());
+  const int end = std::min(quad.end_row, rows.end);
+  for (int y = std::max(quad.first_row, rows.first); y < end; ++y) {
+    const PixelRange range = pixels_of_row(quad.outline, y, io_frame.width());
+    if (range.first >= range.end) continue;
+    const SpriteRow row = make_row(quad, tables, y, range);
+    const std::size_t first_pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(io_frame.width()) +
+                                    static_cast<std::size_t>(range.first);
+    if (opaque)
+      draw_opaque(row, first_pixel, vector_kernels, io_frame);
+    else
+      draw_blended(row, blend, tables, first_pixel, vector_kernels, io_frame);
+  }
+}
+
+void draw_sprites(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                  const ColourTables& tables, base::Jobs& jobs, base::Arena& arena, FrameBuffer& io_frame) {
+  base::ArenaVector<SpriteQuad> quads(arena, scene.sprites.size());
+  for (const SpriteInstance& sprite : scene.sprites) {
+    if (sprite.alpha < 1) continue;
+    if (const std::optional<SpriteQuad> quad = make_sprite_quad(view, sprite)) quads.push_back(*quad);
+  }
+  if (quads.empty()) return;
+  const int bands = (view.height + kBandRows - 1) / kBandRows;
+  jobs.parallel_for(static_cast<std::size_t>(bands), [&](std::size_t number) {
+    const int first_row = static_cast<int>(number) * kBandRows;
+    const RowRange rows{first_row, std::min(first_row + kBandRows, view.height)};
+    for (const SpriteQuad& quad : quads)
+      draw_sprite_instance(quad, {}, tables, settings.vector_kernels, rows, io_frame);
+  });
+}
+
+}  // namespace temblor::render

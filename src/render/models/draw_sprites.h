@@ -1,0 +1,39 @@
+// Sprites: flat pictures in the world, tested against depth pixel by pixel, unlit.
+#pragma once
+
+#include <cstdint>
+
+#include "base/arena.h"
+#include "base/parallel_for.h"
+#include "render/colour/colour_tables.h"
+#include "render/frame.h"
+#include "render/models/sprite_quad.h"
+#include "render/renderer.h"
+#include "render/view/view_frame.h"
+
+namespace temblor::render {
+
+// How texels join what is there.
+struct SpriteBlend {
+  const std::uint8_t* table = nullptr;  // indexed: [over * 256 + under] is the index to write; null: opaque
+  int opacity_256 = 256;                // rgb: 0 to 256
+  bool is_opaque(PixelFormat format) const {
+    return format == PixelFormat::kIndexed ? table == nullptr : opacity_256 >= 256;
+  }
+};
+
+struct RowRange {
+  int first = 0, end = 0;
+};
+
+// Draws the rows of a quad that lie in `rows`, which lie in the frame. Pixels whose centres the quad covers
+// change where it is as near as what is there or nearer, and the texel is not 255. Opaque ones leave their
+// depth.
+void draw_sprite_instance(const SpriteQuad& quad, const SpriteBlend& blend, const ColourTables& tables,
+                          bool vector_kernels, RowRange rows, FrameBuffer& io_frame);
+
+// All sprites whose alpha is 1, in order. Needs the depth of everything opaque.
+void draw_sprites(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                  const ColourTables& tables, base::Jobs& jobs, base::Arena& arena, FrameBuffer& io_frame);
+
+}  // namespace temblor::render

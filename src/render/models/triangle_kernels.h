@@ -1,0 +1,56 @@
+// Triangles of a model, drawn from projected vertices: the inner loops, as vector code and as plain C++ with
+// the same results, bit for bit. Only plain types here: the vector file is compiled for several processors.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "render/models/vertex_kernels.h"
+
+namespace temblor::render {
+
+struct TexelPoint {
+  float s, t;
+};
+
+struct TriangleJob {
+  const ScreenVertex* vertices;
+  const TexelPoint* texels;        // by vertex
+  const std::uint32_t* triangles;  // three vertices each, clockwise seen from the front
+  std::size_t vertex_count, triangle_count;
+  const std::uint8_t* skin;  // palette indices; rows follow one another
+  std::int32_t skin_width, skin_height;
+  // Bytes: 64 rows of 256, which `light` >> 8 chooses from. 32-bit colours: 256, 0xffRRGGBB, alpha 0: not
+  // lit; `light` is as in build_kernels.h, half the sum.
+  const void* colours;
+  std::int32_t tint[3];  // 32-bit colours: red, green, blue of the light, of 32768
+  bool perspective;      // false: affine whatever the triangle's size
+};
+
+// Rows of `width` pixels; the first one in memory is `first_row` of the picture. What lies from row_begin to
+// row_end is drawn.
+struct TriangleTarget {
+  void* pixels;
+  float* depth;
+  std::int32_t width, first_row, row_begin, row_end;
+};
+
+// A triangle whose corners' nearness differs so much that texels between them would be out of place by more
+// than this is drawn in perspective.
+constexpr float kAffineErrorTexels = 0.5f;
+constexpr float kBrightestLight = 32640.0f;  // 32-bit colours
+constexpr float kDarkestRow = 16383.0f;      // bytes
+
+// Scan line by scan line (affine_triangle.h).
+void draw_triangles_u8_plain(const TriangleJob& job, const TriangleTarget& target);
+void draw_triangles_u32_plain(const TriangleJob& job, const TriangleTarget& target);
+// These may read three bytes past the skin and the colours.
+void draw_triangles_u8_vector(const TriangleJob& job, const TriangleTarget& target);
+void draw_triangles_u32_vector(const TriangleJob& job, const TriangleTarget& target);
+
+// By recursive subdivision (subdivide_triangles.cpp). All vertices lie inside the target's columns, and
+// whole pixels inside int16.
+void subdivide_triangles_u8(const TriangleJob& job, const TriangleTarget& target);
+void subdivide_triangles_u32(const TriangleJob& job, const TriangleTarget& target);
+
+}  // namespace temblor::render

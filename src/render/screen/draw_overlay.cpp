@@ -1,0 +1,133 @@
+// Row by row: a picture's pixel is a run of `scale` pixels of one colour, cut off at the frame's sides.
+#include "render/screen/draw_overlay.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/check.h"
+
+namespace temblor::render {
+
+namespace {
+
+constexpr std::uint8_t kClear = 255;
+
+// The part of a command's area that lies in the frame. 64 bits: corner plus size may be more than an int
+// holds.
+struct Clip {
+  std::int64_t x_first, x_end, y_first, y_end;
+  bool is_empty() const { return x_first >= x_end || y_first >= y_end; }
+};
+
+Clip clip_to_frame(const ScreenRect& area, const FrameBuffer& frame) {
+  return {std::max<std::int64_t>(area.x, 0),
+          std::min<std::int64_t>(std::int64_t{area.x} + area.width, frame.width()),
+          std::max<std::int64_t>(area.y, 0),
+          std::min<std::int64_t>(std::int64_t{area.y} + area.height, frame.height())};
+}
+
+// How runs of a palette index join what is there: as they are, or blended.
+class IndexedPaint {
+ public:
+  IndexedPaint(float opacity, const ColourTables& tables)
+      : table_(opacity < 1 ? tables.blends.table_for(opacity) : nullptr) {}
+
+  static std::uint8_t* row(FrameBuffer& frame, std::int64_t y) {
+    return frame.indexed().data() + y * frame.width();
+  }
+  void fill(std::uint8_t index, std::uint8_t* first, std::uint8_t* end) const {
+    if (table_ == nullptr)
+      std::fill(first, end, index);
+    else
+      for (; first != end; ++first) *first = table_[index * 256 + *first];
+  }
+
+ private:
+  const std::uint8_t* table_;
+};
+
+class RgbPaint {
+ public:
+  RgbPaint(float opacity, const ColourTables& tables) : opacity_256_(opacity_256(opacity)), tables_(tables) {}
+
+  static std::uint32_t* row(FrameBuffer& frame, std::int64_t y) {
+    return frame.rgb().data() + y * frame.width();
+  }
+  void fill(std::uint8_t index, std::uint32_t* first, std::uint32_t* end) const {
+    const std::uint32_t colour = tables_.rgb[index];
+    if (opacity_256_ == kOpaque256)
+      std::fill(first, end, colour);
+    else
+      for (; first != end; ++first) *first = blend_rgb(colour, *first, opacity_256_);
+  }
+
+ private:
+  int opacity_256_;
+  const ColourTables& tables_;
+};
+
+template <typename Paint>
+void fill_rectangle(const DrawCommand& command, const Clip& clip, const Paint& paint, FrameBuffer& io_frame) {
+  for (std::int64_t y = clip.y_first; y < clip.y_end; ++y) {
+    auto* const row = Paint::row(io_frame, y);
+    paint.fill(command.fill, row + clip.x_first, row + clip.x_end);
+  }
+}
+
+template <typename Paint>
+void draw_picture(const DrawCommand& command, const Clip& clip, const Paint& paint, FrameBuffer& io_frame) {
+  const formats::Picture& picture = *command.picture;
+  const std::int64_t left = command.area.x, top = command.area.y, scale = command.scale;
+  for (std::int64_t y = clip.y_first; y < clip.y_end; ++y) {
+    const std::uint8_t* source = picture.pixels.data() +
+                                 (command.part_y + (y - top) / scale) * std::int64_t{picture.width} +
+                                 command.part_x + (clip.x_first - left) / scale;
+    auto* const row = Paint::row(io_frame, y);
+    std::int64_t run_end = left + ((clip.x_first - left) / scale + 1) * scale;
+    for (std::int64_t x = clip.x_first; x < clip.x_end; x = run_end, run_end += scale, ++source) {
+      if (*source == kClear) continue;
+      const std::uint8_t index = command.translation != nullptr ? (*command.translation)[*source] : *source;
+      paint.fill(index, row + x, row + std::min(run_end, clip.x_end));
+    }
+  }
+}
+
+void check_part(const DrawCommand& command) {
+  CHECK(command.scale >= 1, "scale {}", command.scale);
+  const formats::Picture& picture = *command.picture;
+  const ScreenRect& area = command.area;
+  CHECK(area.width % command.scale == 0 && area.height % command.scale == 0, "{}x{} at scale {}", area.width,
+        area.height, command.scale);
+  CHECK(command.part_x >= 0 && command.part_y >= 0 &&
+            std::int64_t{command.part_x} + area.width / command.scale <= std::int64_t{picture.width} &&
+            std::int64_t{command.part_y} + area.height / command.scale <= std::int64_t{picture.height},
+        "{}x{} from {},{} of {}x{}", area.width / command.scale, area.height / command.scale, command.part_x,
+        command.part_y, picture.width, picture.height);
+}
+
+template <typename Paint>
+void draw_command(const DrawCommand& command, const ColourTables& tables, FrameBuffer& io_frame) {
+  CHECK(command.area.width >= 0 && command.area.height >= 0, "{}x{}", command.area.width,
+        command.area.height);
+  if (command.picture != nullptr) check_part(command);
+  const Clip clip = clip_to_frame(command.area, io_frame);
+  if (clip.is_empty() || !(command.opacity > 0)) return;
+  const Paint paint(command.opacity, tables);
+  if (command.picture != nullptr)
+    draw_picture(command, clip, paint, io_frame);
+  else
+    fill_rectangle(command, clip, paint, io_frame);
+}
+
+}  // namespace
+
+void draw_overlay(const DrawList& list, const ColourTables& tables, FrameBuffer& io_frame) {
+  for (const DrawCommand& command : list.commands)
+    if (io_frame.format() == PixelFormat::kIndexed)
+      draw_command<IndexedPaint>(command, tables, io_frame);
+    else
+      draw_command<RgbPaint>(command, tables, io_frame);
+}
+
+}  // namespace temblor::render

@@ -1,0 +1,141 @@
+#include "client/trails.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "formats/mdl.h"
+#include "support/random.h"
+
+namespace temblor::client {
+namespace {
+
+constexpr std::uint32_t kRocket = 12;
+
+struct Left {
+  Left() : random(1) { pool.set_capacity(100000); }
+  void leave(TrailKind kind, const math::Vec3& from, const math::Vec3& to, double from_s, double to_s) {
+    trails.leave({kRocket, kind, from, to, from_s, to_s}, random, pool);
+  }
+  Trails trails;
+  EffectRandom random;
+  ParticlePool pool;
+};
+
+TEST(Trails, KindsByModelFlags) {
+  using enum formats::MdlFlags;
+  EXPECT_EQ(trail_kind(0), std::nullopt);
+  EXPECT_EQ(trail_kind(kMdlRotate), std::nullopt);
+  EXPECT_EQ(trail_kind(kMdlRocketTrail), TrailKind::kRocket);
+  EXPECT_EQ(trail_kind(kMdlGrenadeSmoke), TrailKind::kGrenade);
+  EXPECT_EQ(trail_kind(kMdlGibBlood), TrailKind::kBlood);
+  EXPECT_EQ(trail_kind(kMdlZombieBlood), TrailKind::kThinBlood);
+  EXPECT_EQ(trail_kind(kMdlTracer), TrailKind::kTracer);
+  EXPECT_EQ(trail_kind(kMdlTracer2), TrailKind::kTracer2);
+  EXPECT_EQ(trail_kind(kMdlTracer3 | kMdlRotate), TrailKind::kVoor);
+}
+
+// A particle for every 3 units of way, from its beginning to its end, in whatever pieces it comes.
+TEST(Trails, CoverTheWayWhateverItsPieces) {
+  const math::Vec3 start(10, 20, 30), direction(0.6f, 0, 0.8f);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    test::Random random(seed);
+    Left left;
+    const double longest = random.log_uniform(0.1, 200);
+    double passed = 0;
+    while (passed < 3000) {
+      const double next = std::min(3000.0, passed + random.uniform(0.01, longest));
+      // Voor's scatter says nothing of where along the way they are; tracers have none.
+      left.leave(TrailKind::kTracer, start + direction * static_cast<float>(passed),
+                 start + direction * static_cast<float>(next), 0, 0);
+      passed = next;
+    }
+    left.pool.advance(0);
+    const render::ParticleCloud cloud = left.pool.cloud();
+    ASSERT_NEAR(static_cast<double>(cloud.size()), 1000, 1) << seed;
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const math::Vec3 place(cloud.x[i], cloud.y[i], cloud.z[i]);
+      const math::Vec3 expected = start + direction * (3 * static_cast<float>(i));
+      ASSERT_LT(glm::distance(place, expected), 0.1f) << seed << ": " << i;
+    }
+  }
+}
+
+TEST(Trails, ZombiesBleedHalfAsMuch) {
+  Left blood, thin;
+  blood.leave(TrailKind::kBlood, {0, 0, 0}, {600, 0, 0}, 0, 0);
+  thin.leave(TrailKind::kThinBlood, {0, 0, 0}, {600, 0, 0}, 0, 0);
+  EXPECT_EQ(blood.pool.size(), 200u);
+  EXPECT_EQ(thin.pool.size(), 100u);
+}
+
+TEST(Trails, AreAsOldAsTheirPlaceIsPassed) {
+  // 2000 units in 1 s: a spark of fire rises by 20 t^2.
+  Left left;
+  left.leave(TrailKind::kRocket, {0, 0, 0}, {2000, 0, 0}, 10, 11);
+  left.pool.advance(11);
+  const render::ParticleCloud cloud = left.pool.cloud();
+  ASSERT_GT(cloud.size(), 300u);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const double age_s = 1 - double{cloud.x[i]} / 2000;
+    EXPECT_NEAR(double{cloud.z[i]}, 20 * age_s * age_s, 3.2);
+  }
+  // Fire lives 0.6 s at least and 1.2 s at most: all of it on the last 1200 units.
+  const auto near = std::count_if(cloud.x.begin(), cloud.x.end(), [](float x) { return x > 804; });
+  EXPECT_NEAR(static_cast<double>(near), 1196.0 / 3, 3);
+}
+
+TEST(Trails, TracersPartToBothSides) {
+  Left left;
+  left.leave(TrailKind::kTracer2, {0, 0, 0}, {0, 120, 0}, 0, 0);
+  left.pool.advance(0.25);
+  const render::ParticleCloud cloud = left.pool.cloud();
+  ASSERT_EQ(cloud.size(), 40u);
+  std::set<int> colours;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    EXPECT_NEAR(cloud.x[i], i % 2 == 0 ? -7.5f : 7.5f, 0.001f);
+    EXPECT_NEAR(cloud.y[i], 3 * static_cast<float>(i), 0.001f);
+    EXPECT_EQ(int{cloud.colour[i]}, (i / 4) % 2 == 0 ? 230 : 238);
+  }
+  left.pool.advance(0.501);
+  EXPECT_EQ(left.pool.size(), 0u);
+}
+
+TEST(Trails, HaveTheirColours) {
+  const auto colours = [](TrailKind kind) {
+    Left left;
+    left.leave(kind, {0, 0, 0}, {900, 0, 0}, 0, 0);
+    left.pool.advance(0);
+    const auto colour = left.pool.cloud().colour;
+    return std::set<int>(colour.begin(), colour.end());
+  };
+  EXPECT_THAT(colours(TrailKind::kRocket), testing::ElementsAre(0x05, 0x06, 0x6b, 0x6d));
+  EXPECT_THAT(colours(TrailKind::kGrenade), testing::ElementsAre(0x03, 0x04, 0x05, 0x06));
+  EXPECT_THAT(colours(TrailKind::kBlood), testing::ElementsAre(67, 68, 69, 70));
+  EXPECT_THAT(colours(TrailKind::kThinBlood), testing::ElementsAre(67, 68, 69, 70));
+  EXPECT_THAT(colours(TrailKind::kTracer), testing::ElementsAre(52, 60));
+  EXPECT_THAT(colours(TrailKind::kVoor), testing::ElementsAre(152, 153, 154, 155));
+}
+
+TEST(Trails, StandingStillLeavesNothing) {
+  Left left;
+  for (int i = 0; i < 100; ++i) left.leave(TrailKind::kRocket, {5, 5, 5}, {5, 5, 5}, i, i + 1);
+  EXPECT_EQ(left.pool.size(), 0u);
+  EXPECT_EQ(left.pool.left_out(), 0u);
+}
+
+TEST(Trails, LongWaysTakeNoLongerThanThereIsRoom) {
+  Left left;
+  left.pool.set_capacity(50);
+  // As far as coordinates of messages go.
+  left.leave(TrailKind::kRocket, {0, 0, 0}, {0x1p27f, 0, 0}, 0, 1);
+  EXPECT_EQ(left.pool.size(), 50u);
+  EXPECT_EQ(left.pool.left_out(), (std::size_t{1} << 27) / 3 + 1 - 50);
+}
+
+}  // namespace
+}  // namespace temblor::client

@@ -1,0 +1,33 @@
+// The packets of a whole recording, taken out in ten lines from the description of the format.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/bytes.h"
+#include "base/check.h"
+
+namespace temblor::test {
+
+struct DemPacket {
+  base::Bytes bytes;
+  std::size_t offset = 0;  // in the file
+};
+
+// CHECKs that they are all there.
+inline std::vector<DemPacket> dem_packets(base::Bytes dem) {
+  base::ByteReader file(dem);
+  while (file.ok() && file.u8() != '\n') {
+  }
+  std::vector<DemPacket> packets;
+  while (file.remaining() > 0) {
+    const auto size = static_cast<std::size_t>(file.i32());
+    file.take(3 * sizeof(float));  // where the player looked
+    const std::size_t offset = file.offset();
+    packets.push_back({file.take(size), offset});
+    CHECK(file.ok());
+  }
+  return packets;
+}
+
+}  // namespace temblor::test

@@ -1,0 +1,105 @@
+// Translucent models: their nearest parts are blended once, where the opaque drawing of them would show.
+#include <gtest/gtest.h>
+
+#include "render/models/draw_alias_models.h"
+#include "render/models/draw_translucent_alias.h"
+#include "support/drawable_level.h"
+#include "support/drawable_models.h"
+#include "support/effort.h"
+#include "support/random.h"
+#include "support/viewpoints.h"
+
+namespace temblor::test {
+namespace {
+
+constexpr int kWidth = 150, kHeight = 110;
+
+class TranslucentAlias : public testing::TestWithParam<render::PixelFormat> {
+ protected:
+  // A level, and before it a model that is nearer than its own other side.
+  void set_up(std::uint64_t seed) {
+    Random random(seed);
+    scene_.alias_models = {};
+    scene_.level = drawable_.level.get();
+    scene_.camera = random_camera(*drawable_.level, random);
+    scene_.camera.projection = render::Projection::kPerspective;
+    instance_.model = model_.get();
+    const math::Basis axes = math::basis_from_angles(scene_.camera.angles_deg);
+    const double distance = random.uniform(20, 150);
+    instance_.origin_world =
+        scene_.camera.origin_world + math::Vec3(axes.forward * distance) + random.in_cube(40);
+    instance_.angles_deg = random.in_cube(180);
+    instance_.full_bright = true;
+    view_ = render::make_view_frame(scene_, kWidth, kHeight);
+    render::Renderer renderer(drawable_.palette, drawable_.colormap);
+    renderer.render(scene_, {}, background_);
+    renderer.render(scene_, {}, translucent_);
+    scene_.alias_models = {&instance_, 1};
+    renderer.render(scene_, {}, opaque_);
+  }
+  void blend(const render::AliasBlend& blend) {
+    base::Arena arena;
+    render::draw_alias_instance(scene_, {}, view_, instance_, render::AliasRole::kWorld, blend, tables_,
+                                arena, translucent_);
+  }
+
+  const DrawableLevel drawable_ = small_level();
+  const render::ColourTables tables_ = render::make_colour_tables(drawable_.palette, drawable_.colormap);
+  const std::shared_ptr<const render::AliasModel> model_ = small_model(sphere_mdl(), 60);
+  render::Scene scene_;
+  render::AliasInstance instance_;
+  render::ViewFrame view_;
+  render::FrameBuffer background_{kWidth, kHeight, GetParam()}, translucent_{kWidth, kHeight, GetParam()},
+      opaque_{kWidth, kHeight, GetParam()};
+};
+
+TEST_P(TranslucentAlias, BlendsWhatTheOpaquePictureShows) {
+  std::vector<std::uint8_t> table(65536);
+  for (std::size_t i = 0; i < table.size(); ++i)
+    table[i] = static_cast<std::uint8_t>(i / 256 * 3 + i % 256 * 5);
+  std::size_t blended = 0;
+  for (int seed = 0; seed < effort(30, 6); ++seed) {
+    set_up(static_cast<std::uint64_t>(seed));
+    blend({table.data(), 64});
+    for (std::size_t i = 0; i < background_.pixel_count(); ++i) {
+      const bool shows = opaque_.depth()[i] != background_.depth()[i];
+      blended += shows;
+      ASSERT_EQ(translucent_.depth()[i], background_.depth()[i]);
+      if (GetParam() == render::PixelFormat::kIndexed) {
+        const std::uint8_t over = opaque_.indexed()[i], under = background_.indexed()[i];
+        ASSERT_EQ(translucent_.indexed()[i], shows ? static_cast<std::uint8_t>(over * 3 + under * 5) : under)
+            << "seed " << seed;
+        continue;
+      }
+      for (int shift = 0; shift < 24; shift += 8) {
+        const auto channel = [&](std::uint32_t colour) { return static_cast<int>(colour >> shift & 255); };
+        const int over = channel(opaque_.rgb()[i]), under = channel(background_.rgb()[i]);
+        ASSERT_NEAR(channel(translucent_.rgb()[i]), shows ? over * 0.25 + under * 0.75 : under, 0.51)
+            << "seed " << seed;
+      }
+    }
+  }
+  EXPECT_GT(blended, 1000u);
+}
+
+TEST_P(TranslucentAlias, IsLeftOutByTheOpaqueStage) {
+  set_up(3);
+  instance_.alpha = 0.5f;
+  render::Renderer renderer(drawable_.palette, drawable_.colormap);
+  render::FrameBuffer frame(kWidth, kHeight, GetParam());
+  base::Jobs jobs(1);
+  base::Arena arena;
+  std::vector<base::Arena> job_arenas;
+  render::draw_alias_models(scene_, {}, view_, kHeight, tables_, jobs, arena, job_arenas, background_);
+  for (std::size_t i = 0; i < frame.pixel_count(); ++i)
+    ASSERT_EQ(background_.depth()[i], translucent_.depth()[i]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, TranslucentAlias,
+                         testing::Values(render::PixelFormat::kIndexed, render::PixelFormat::kRgb),
+                         [](const auto& test) {
+                           return test.param == render::PixelFormat::kIndexed ? "indexed" : "rgb";
+                         });
+
+}  // namespace
+}  // namespace temblor::test
