@@ -134,8 +134,8 @@ struct Scene {
   Tint tint{};
   double time_s = 0;
   world::LightStyleValues light_styles = world::light_as_stored();
-  // For Settings::relight_alternate: this frame's number, and the light of the frame before it. Null: there was
-  // none, and every face shows today's light.
+  // For Settings::relight_alternate: this frame's number, and the light of the frame before it. Null: there
+  // was none, and every face shows today's light.
   std::uint32_t frame_number = 0;
   const SceneLight* light_before = nullptr;
 };
