@@ -31,6 +31,12 @@ base::Status Presentation::begin_level(const Game& game) {
   return base::Ok{};
 }
 
+// The scene's light, before the next one takes its place.
+void Presentation::keep_light() {
+  lights_before_.assign(scene_.lights.begin(), scene_.lights.end());
+  light_before_ = {lights_before_, scene_.light_styles};
+}
+
 void Presentation::apply_environment(const Game& game, double time_s, const PresentationSettings& settings) {
   scene_.liquid_alpha = environment_.liquid_alpha(settings.liquid_alpha);
   if (settings.fog) {
@@ -52,6 +58,8 @@ base::Status Presentation::advance(ClientState& io_state, double time_s, const m
   if (io_state.events().new_level) TRY_STATUS(begin_level(game));
   if (!models_) return base::Ok{};
 
+  keep_light();
+  const bool is_first_scene = scene_.level == nullptr;
   const std::span<const SeenEntity> entities = io_state.entities_at(time_s, settings.client);
   const world::Level& level = *models_->level();
   effects_.advance(io_state.events(), {level, time_s, entities, models_->flags(), game.view_entity},
@@ -63,6 +71,8 @@ base::Status Presentation::advance(ClientState& io_state, double time_s, const m
       {*models_, game, entities, effects_, view, io_state.weapon_frame_at(time_s, settings.client), time_s,
        settings.show_weapon && game.ending == Ending::kNone},
       notes_);
+  scene_.frame_number = ++frame_number_;
+  scene_.light_before = is_first_scene ? nullptr : &light_before_;
   apply_environment(game, time_s, settings);
   time_s_ = time_s;
   io_state.events().clear();

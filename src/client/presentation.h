@@ -53,6 +53,7 @@ class Presentation {
 
  private:
   base::Status begin_level(const Game& game);
+  void keep_light();
   void apply_environment(const Game& game, double time_s, const PresentationSettings& settings);
 
   const assets::Library& library_;
@@ -66,6 +67,9 @@ class Presentation {
   std::string skybox_name_;
   render::Skybox skybox_;
   render::Scene scene_;
+  std::vector<render::DynamicLight> lights_before_;
+  render::SceneLight light_before_;  // of the scene before this one
+  std::uint32_t frame_number_ = 0;
   render::DrawList draw_list_;
   double time_s_ = 0;
   std::vector<std::string> notes_;
