@@ -23,7 +23,7 @@
 #include "render/surfaces/cutout_textures.h"
 #include "render/surfaces/draw_items.h"
 #include "render/surfaces/surface_cache.h"
-#include "render/translucent/late_faces.h"
+#include "render/translucent/draw_translucent.h"
 #include "render/view/level_tables.h"
 #include "render/view/view_frame.h"
 #include "render/view/visible_faces.h"
@@ -180,6 +180,13 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
       prepare_span_sources(scene, settings, view, s.items, s.colour_tables, format, s.skybox, s.arena);
   draw_spans(settings, view, s.spans, sources, s.colour_tables, *s.jobs, io_frame);
   clock.end(Stage::kSpans);
+
+  const FrameFog fog(scene.fog, view.perspective, format, s.colour_tables, s.fog_tables,
+                     settings.vector_kernels);
+  const LateFaces late = sort_late_faces(scene, visible, s.edges, s.spans, s.items, s.arena);
+  const LateTarget late_target{s.spans, s.edges, sources, s.colour_tables, fog, view};
+  draw_late_faces(late.opaque, late_target, *s.jobs, s.job_arenas, io_frame);
+  clock.end(Stage::kTranslucent);
   if (settings.fill_depth) {  // what follows is tested against it
     draw_alias_models(scene, settings, view, band_rows, s.colour_tables, *s.jobs, s.arena, s.model_arenas,
                       io_frame);
@@ -190,15 +197,11 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
     clock.end(Stage::kParticles);
   }
 
-  const FrameFog fog(scene.fog, view.perspective, format, s.colour_tables, s.fog_tables,
-                     settings.vector_kernels);
-  const LateFaces late = sort_late_faces(scene, visible, s.edges, s.spans, s.items, s.arena);
-  const LateTarget late_target{s.spans, s.edges, sources, s.colour_tables, fog, view};
-  draw_late_faces(late.opaque, late_target, *s.jobs, s.job_arenas, io_frame);
-  clock.end(Stage::kTranslucent);
   fog_picture(fog, s.spans, s.items, *s.jobs, io_frame);
   clock.end(Stage::kScreen);
-  draw_late_faces(late.translucent, late_target, *s.jobs, s.job_arenas, io_frame);
+  if (settings.fill_depth)
+    draw_translucent(scene, settings, visible, late.translucent, late_target, *s.jobs, s.arena, s.job_arenas,
+                     io_frame);
   clock.end(Stage::kTranslucent);
   if (scene.underwater) s.warp.apply(scene.time_s, *s.jobs, io_frame);
   tint_picture(scene.tint, s.colour_tables, settings.vector_kernels, *s.jobs, io_frame);

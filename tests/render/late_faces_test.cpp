@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "render/view/face_opacity.h"
 #include "render/view/visible_faces.h"
 #include "support/drawable_level.h"
+#include "support/drawable_models.h"
 #include "support/effort.h"
 #include "support/frames.h"
 #include "support/game_data.h"
@@ -294,6 +296,59 @@ TEST(LateFaces, BlendBrushModels) {
   }
   EXPECT_GT(blended, 1000u);
   EXPECT_LE(off * 100, blended) << off << " of " << blended;
+}
+
+// A translucent ball above the water is laid over it, one in the water lies under it. Each pixel is put
+// together from pictures of the water and of the ball alone.
+TEST(LateFaces, AreBlendedWithModelsFromBackToFront) {
+  const DrawableLevel drawable = small_level();
+  const world::Level& level = *drawable.level;
+  const auto ball = small_model(sphere_mdl(), 16);
+  render::Renderer renderer(drawable.palette, drawable.colormap);
+  std::size_t over = 0, under = 0, off = 0;
+  for (int number = 0; number < effort(200, 60); ++number) {
+    Random random(static_cast<std::uint64_t>(number));
+    const auto face = static_cast<std::size_t>(
+        std::find_if(level.faces.begin(), level.faces.end(),
+                     [](const world::Face& any) { return any.kind == world::FaceKind::kLiquid; }) -
+        level.faces.begin());
+    const math::Vec3 corner = level.vertices[level.surfedge_start(level.faces[face].first_surfedge)];
+    render::AliasInstance instance;
+    instance.model = ball.get();
+    instance.full_bright = true;
+    // A ball that cut through the surface would have parts on either side.
+    const float height = static_cast<float>(random.uniform(12, 30)) * (random.chance(0.5) ? 1.0f : -1.0f);
+    instance.origin_world = corner + math::Vec3(static_cast<float>(random.uniform(-60, 60)),
+                                                static_cast<float>(random.uniform(-60, 60)), height);
+    Viewpoint viewpoint = viewpoint_number(level, 0);
+    viewpoint.camera.projection = render::Projection::kPerspective;
+    viewpoint.camera.origin_world =
+        instance.origin_world + math::Vec3(static_cast<float>(random.uniform(-40, 40)),
+                                           static_cast<float>(random.uniform(-40, 40)), 90 - height);
+    viewpoint.camera.angles_deg = {80, static_cast<float>(random.uniform(0, 360)), 0};
+    const auto picture = [&](float water_alpha, float ball_alpha) {
+      render::Scene scene = viewpoint.scene(level);
+      scene.liquid_alpha = {water_alpha, water_alpha, water_alpha, water_alpha};
+      instance.alpha = ball_alpha;
+      scene.alias_models = {&instance, 1};
+      return draw(renderer, scene, PixelFormat::kRgb);
+    };
+    const Drawn nothing = picture(0, 0), water = picture(1, 0), alone = picture(0, 1),
+                both = picture(0.5f, 0.5f);
+    for (std::size_t i = 0; i < both.frame.pixel_count(); ++i) {
+      const bool has_ball = alone.frame.depth()[i] > nothing.frame.depth()[i];
+      if (!has_ball || !shows_liquid(level, water.faces[i])) continue;
+      const std::uint32_t n = nothing.frame.rgb()[i], w = water.frame.rgb()[i], b = alone.frame.rgb()[i];
+      const bool is_over = alone.frame.depth()[i] > water.frame.depth()[i];
+      const std::uint32_t expected = is_over ? render::blend_rgb(b, render::blend_rgb(w, n, 128), 128)
+                                             : render::blend_rgb(w, render::blend_rgb(b, n, 128), 128);
+      ++(is_over ? over : under);
+      off += both.frame.rgb()[i] != expected;
+    }
+  }
+  EXPECT_GT(over, 300u);
+  EXPECT_GT(under, 300u);
+  EXPECT_LE(off * 50, over + under) << off << " of " << over + under;
 }
 
 // ---- What the picture does not depend on.

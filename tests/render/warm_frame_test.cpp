@@ -3,10 +3,13 @@
 
 #include <vector>
 
+#include "math/angles.h"
 #include "render/renderer.h"
 #include "support/allocation_counter.h"
 #include "support/drawable_level.h"
+#include "support/drawable_models.h"
 #include "support/game_data.h"
+#include "support/late_faces.h"
 #include "support/viewpoints.h"
 
 namespace temblor::test {
@@ -85,6 +88,28 @@ TEST(WarmFrame, WithSpritesAndParticlesAllocatesNothing) {
   expect_no_allocation(small_level(), {}, [&](render::Scene& scene) {
     scene.sprites = sprites;
     scene.particles = {x, y, z, colours};
+  });
+}
+
+// Late faces, translucent models, fog, a skybox, the view under water and tinted.
+TEST(WarmFrame, ThatSomethingShowsThroughAllocatesNothing) {
+  const auto model = small_model(sphere_mdl());
+  std::vector<render::AliasInstance> models(3);
+  for (render::AliasInstance& instance : models) instance.model = model.get();
+  models[1].alpha = models[2].alpha = 0.5f;
+  render::Skybox skybox;
+  for (formats::Image& image : skybox.sides) image = {1, 1, {0xff203040}};
+  expect_no_allocation(with_fences(small_level()), {}, [&](render::Scene& scene) {
+    const math::Basis axes = math::basis_from_angles(scene.camera.angles_deg);
+    for (std::size_t i = 0; i < models.size(); ++i)
+      models[i].origin_world =
+          scene.camera.origin_world + math::Vec3(axes.forward) * (40.0f + 20.0f * static_cast<float>(i));
+    scene.alias_models = models;
+    scene.skybox = &skybox;
+    scene.liquid_alpha = {0.5f, 0.5f, 0.5f, 0.5f};
+    scene.fog = {0.2f, {0.5f, 0.5f, 0.5f}};
+    scene.underwater = true;
+    scene.tint = {{130, 80, 50}, 0.5f};
   });
 }
 

@@ -33,15 +33,10 @@ std::span<const PixelSum> sum_late_items(const SpanTable& spans, const DrawItems
   return sums;
 }
 
-struct SortedFace {
-  LateFace face;
-  double depth;  // in the middle of what the face covers
-};
-
-bool is_farther(const SortedFace& a, const SortedFace& b) {
-  if (a.face.key != b.face.key) return a.face.key > b.face.key;
+bool is_farther(const LateFace& a, const LateFace& b) {
+  if (a.key != b.key) return a.key > b.key;
   if (a.depth != b.depth) return a.depth < b.depth;
-  return a.face.surface < b.face.surface;
+  return a.surface < b.surface;
 }
 
 // The runs of each late item in one band.
@@ -128,7 +123,6 @@ LateFaces sort_late_faces(const Scene& scene, const VisibleFaces& visible, const
   if (count == 0) return {};
   const std::span<const PixelSum> sums = sum_late_items(spans, items, arena);
   base::ArenaVector<LateFace> opaque(arena, count), translucent(arena, count);
-  base::ArenaVector<SortedFace> sorted(arena, count);
   for (std::size_t number = edges.first_late(); number < edges.surfaces.size(); ++number) {
     const ScreenSurface& surface = edges.surfaces[number];
     PixelSum seen;
@@ -146,17 +140,13 @@ LateFaces sort_late_faces(const Scene& scene, const VisibleFaces& visible, const
     const FaceOpacity opacity = surface.instance == 0 ? visible.opacities[base::to_size(texture)]
                                                       : opacity_on(visible.opacities, *scene.level, texture,
                                                                    scene.brush_models[surface.instance - 1]);
-    const LateFace face{base::to_index<SurfaceIndex>(number), opacity, surface.key};
-    if (opacity.opacity >= 1) {
-      opaque.push_back(face);
-      continue;
-    }
     const double pixels = static_cast<double>(seen.pixels);
-    sorted.push_back(
-        {face, drawn->depth.at(static_cast<double>(seen.x) / pixels, static_cast<double>(seen.y) / pixels)});
+    const double depth =
+        drawn->depth.at(static_cast<double>(seen.x) / pixels, static_cast<double>(seen.y) / pixels);
+    (opacity.opacity < 1 ? translucent : opaque)
+        .push_back({base::to_index<SurfaceIndex>(number), opacity, surface.key, depth});
   }
-  std::sort(sorted.begin(), sorted.end(), is_farther);
-  for (const SortedFace& face : sorted) translucent.push_back(face.face);
+  std::sort(translucent.begin(), translucent.end(), is_farther);
   return {opaque.view(), translucent.view()};
 }
 

@@ -19,6 +19,7 @@ struct LateFace {
   SurfaceIndex surface;
   FaceOpacity opacity;
   SortKey key;
+  double depth;  // ViewFrame::depth, in the middle of what it covers
 };
 
 // Only what has spans.
