@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "render/alias_reference.h"
-#include "render/allocation_counter.h"
 #include "render/renderer.h"
 #include "render/view/view_frame.h"
+#include "support/allocation_counter.h"
 #include "support/drawable_level.h"
 #include "support/drawable_models.h"
 #include "support/effort.h"
