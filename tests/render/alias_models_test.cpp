@@ -111,7 +111,7 @@ render::Camera faraway_camera(Random& random, float fov_deg) {
 
 TEST(AliasModels, LieWhereRaysHitThem) {
   ModelAgainstRays box(box_mdl()), sphere(sphere_mdl());
-  for (int seed = 0; seed < effort(20, 4); ++seed) {
+  for (int seed = 0; seed < effort(8, 2); ++seed) {
     SCOPED_TRACE(seed);
     Random random(static_cast<std::uint64_t>(seed));
     const render::Camera camera = faraway_camera(random, static_cast<float>(random.uniform(10, 150)));
@@ -127,7 +127,7 @@ TEST(AliasModels, LieWhereRaysHitThem) {
 
 TEST(AliasModels, AreCutAtTheNearPlane) {
   ModelAgainstRays box(box_mdl()), sphere(sphere_mdl());
-  for (int seed = 0; seed < effort(40, 6); ++seed) {
+  for (int seed = 0; seed < effort(12, 2); ++seed) {
     SCOPED_TRACE(seed);
     Random random(static_cast<std::uint64_t>(seed));
     const render::Camera camera = faraway_camera(random, static_cast<float>(random.uniform(60, 170)));
