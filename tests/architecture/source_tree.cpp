@@ -136,7 +136,7 @@ bool is_compiled_per_target(const SourceFile& file) {
 
 bool may_hold_kernels(std::string_view path) {
   const Place place = place_of(path);
-  static const Names render_stages = {"spans", "surfaces", "models", "screen"};
+  static const Names render_stages = {"colour", "spans", "surfaces", "models", "translucent", "screen"};
   return place.folder == "audio" || (place.folder == "render" && render_stages.contains(place.stage));
 }
 
