@@ -25,11 +25,10 @@ constexpr int kWidth = 160, kHeight = 100;
 // Corners of triangles are rounded to 1/256 pixel: what is that near to an edge may show either side of it.
 constexpr double kEdgeSlackPx = 1.0 / 64;
 
-render::FrameBuffer drawn(const DrawableLevel& drawable, const render::Scene& scene,
+render::FrameBuffer drawn(render::Renderer& io_renderer, const render::Scene& scene,
                           const render::Settings& settings, render::PixelFormat format) {
-  render::Renderer renderer(drawable.palette, drawable.colormap);
   render::FrameBuffer frame(kWidth, kHeight, format);
-  renderer.render(scene, settings, frame);
+  io_renderer.render(scene, settings, frame);
   return frame;
 }
 
@@ -51,7 +50,7 @@ class ModelAgainstRays {
     instance.model = model_.get();
     scene_.camera = camera;
     scene_.alias_models = {&instance, 1};
-    const render::FrameBuffer frame = drawn(drawable_, scene_, settings, render::PixelFormat::kIndexed);
+    const render::FrameBuffer frame = drawn(renderer_, scene_, settings, render::PixelFormat::kIndexed);
     const ReferencePicture picture = reference_picture(camera, kWidth, kHeight);
     const ReferenceMesh mesh = reference_mesh(mdl_, 0, instance, picture);
     int wrong = 0;
@@ -85,6 +84,7 @@ class ModelAgainstRays {
   }
 
   const DrawableLevel drawable_ = small_level({.pvs = false});
+  render::Renderer renderer_{drawable_.palette, drawable_.colormap};
   formats::Mdl mdl_;
   std::shared_ptr<const render::AliasModel> model_;
   render::Scene scene_;
@@ -141,6 +141,7 @@ TEST(AliasModels, AreCutAtTheNearPlane) {
 
 TEST(AliasModels, OfAnySizeAreDrawnOrLeftOut) {
   const DrawableLevel drawable = small_level();
+  render::Renderer renderer(drawable.palette, drawable.colormap);
   const auto model = small_model(sphere_mdl());
   render::Scene scene;
   scene.level = drawable.level.get();
@@ -158,7 +159,7 @@ TEST(AliasModels, OfAnySizeAreDrawnOrLeftOut) {
     scene.alias_models = {&instance, 1};
     for (const bool vectors : {false, true}) {
       const render::FrameBuffer frame =
-          drawn(drawable, scene, {.vector_kernels = vectors}, render::PixelFormat::kRgb);
+          drawn(renderer, scene, {.vector_kernels = vectors}, render::PixelFormat::kRgb);
       for (const float depth : frame.depth()) ASSERT_FALSE(std::isnan(depth)) << "seed " << seed;
     }
   }
@@ -227,6 +228,7 @@ constexpr auto kFormats = {render::PixelFormat::kIndexed, render::PixelFormat::k
 
 TEST(AliasModels, AreTheSameForAnyThreadsBandsAndKernels) {
   const DrawableLevel drawable = small_level({.coloured_light = true});
+  render::Renderer renderer(drawable.palette, drawable.colormap);
   for (int seed = 0; seed < effort(8, 2); ++seed) {
     const PopulatedScene populated = populate(*drawable.level, static_cast<std::uint64_t>(seed));
     const render::Scene scene = populated.scene(*drawable.level);
@@ -236,7 +238,7 @@ TEST(AliasModels, AreTheSameForAnyThreadsBandsAndKernels) {
         render::Settings settings;
         settings.alias_raster = raster;
         settings.alias_snap = seed % 4 == 3;
-        const FrameCopy expected = copy_of(drawn(drawable, scene, settings, format));
+        const FrameCopy expected = copy_of(drawn(renderer, scene, settings, format));
         for (const int threads : {1, 2, 8})
           for (const int band_rows : {0, 1, 7})
             for (const bool vectors : {false, true}) {
@@ -244,7 +246,7 @@ TEST(AliasModels, AreTheSameForAnyThreadsBandsAndKernels) {
               settings.job_backend = base::JobBackend::kStdThread;
               settings.band_rows = band_rows;
               settings.vector_kernels = vectors;
-              const FrameCopy other = copy_of(drawn(drawable, scene, settings, format));
+              const FrameCopy other = copy_of(drawn(renderer, scene, settings, format));
               ASSERT_TRUE(expected == other)
                   << differing_pixels(expected, other) << " pixels differ: seed " << seed << ", " << threads
                   << " threads, bands of " << band_rows << ", vectors " << vectors << ", raster "
@@ -256,6 +258,7 @@ TEST(AliasModels, AreTheSameForAnyThreadsBandsAndKernels) {
 
 TEST(AliasModels, BehindAWallNeverShow) {
   const DrawableLevel drawable = small_level();
+  render::Renderer renderer(drawable.palette, drawable.colormap);
   const math::Bounds& level_bounds = drawable.level->world().bounds;
   PopulatedScene populated = populate(*drawable.level, 1);
   int placements = 0;
@@ -280,9 +283,9 @@ TEST(AliasModels, BehindAWallNeverShow) {
     scene.view_weapon = nullptr;
     for (const auto raster : {render::AliasRaster::kAffine, render::AliasRaster::kSubdivision}) {
       const FrameCopy with =
-          copy_of(drawn(drawable, scene, {.alias_raster = raster}, render::PixelFormat::kRgb));
+          copy_of(drawn(renderer, scene, {.alias_raster = raster}, render::PixelFormat::kRgb));
       scene.alias_models = {};
-      const FrameCopy without = copy_of(drawn(drawable, scene, {}, render::PixelFormat::kRgb));
+      const FrameCopy without = copy_of(drawn(renderer, scene, {}, render::PixelFormat::kRgb));
       scene.alias_models = populated.instances;
       ASSERT_EQ(differing_pixels(with, without), 0u) << "seed " << seed;
     }
@@ -293,6 +296,7 @@ TEST(AliasModels, BehindAWallNeverShow) {
 // Wherever the camera stands, whatever its field of view: the same pixels of the weapon.
 TEST(AliasModels, ViewWeaponLooksTheSameInEveryFieldOfViewAndBeforeEveryWall) {
   const DrawableLevel drawable = small_level();
+  render::Renderer renderer(drawable.palette, drawable.colormap);
   const auto model = small_model(sphere_mdl(), 20);
   std::vector<bool> expected;
   for (int seed = 0; seed < effort(40, 8); ++seed) {
@@ -309,7 +313,7 @@ TEST(AliasModels, ViewWeaponLooksTheSameInEveryFieldOfViewAndBeforeEveryWall) {
     weapon.origin_world = scene.camera.origin_world + math::Vec3(30, 0, -12);
     weapon.full_bright = true;
     scene.view_weapon = &weapon;
-    const render::FrameBuffer frame = drawn(drawable, scene, {}, render::PixelFormat::kIndexed);
+    const render::FrameBuffer frame = drawn(renderer, scene, {}, render::PixelFormat::kIndexed);
     std::vector<bool> shown;
     // Nothing of the level is nearer than 1/kNearPlane.
     for (const float depth : frame.depth()) shown.push_back(depth > 1 / render::kNearPlane);

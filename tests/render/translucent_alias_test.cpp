@@ -31,11 +31,10 @@ class TranslucentAlias : public testing::TestWithParam<render::PixelFormat> {
     instance_.angles_deg = random.in_cube(180);
     instance_.full_bright = true;
     view_ = render::make_view_frame(scene_, kWidth, kHeight);
-    render::Renderer renderer(drawable_.palette, drawable_.colormap);
-    renderer.render(scene_, {}, background_);
-    renderer.render(scene_, {}, translucent_);
+    renderer_.render(scene_, {}, background_);
+    renderer_.render(scene_, {}, translucent_);
     scene_.alias_models = {&instance_, 1};
-    renderer.render(scene_, {}, opaque_);
+    renderer_.render(scene_, {}, opaque_);
   }
   void blend(const render::AliasBlend& blend) {
     base::Arena arena;
@@ -46,6 +45,7 @@ class TranslucentAlias : public testing::TestWithParam<render::PixelFormat> {
   const DrawableLevel drawable_ = small_level();
   const render::ColourTables tables_ = render::make_colour_tables(drawable_.palette, drawable_.colormap);
   const std::shared_ptr<const render::AliasModel> model_ = small_model(sphere_mdl(), 60);
+  render::Renderer renderer_{drawable_.palette, drawable_.colormap};
   render::Scene scene_;
   render::AliasInstance instance_;
   render::ViewFrame view_;
@@ -85,7 +85,6 @@ TEST_P(TranslucentAlias, BlendsWhatTheOpaquePictureShows) {
 TEST_P(TranslucentAlias, IsLeftOutByTheOpaqueStage) {
   set_up(3);
   instance_.alpha = 0.5f;
-  render::Renderer renderer(drawable_.palette, drawable_.colormap);
   render::FrameBuffer frame(kWidth, kHeight, GetParam());
   base::Jobs jobs(1);
   base::Arena arena;
