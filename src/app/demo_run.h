@@ -29,7 +29,6 @@ class DemoRun {
   render::FrameStats draw();
   const render::FrameBuffer& frame() const { return frame_; }
   render::FrameBuffer& frame() { return frame_; }
-  bool cut_short() const { return player_.cut_short(); }
   std::vector<std::string> take_notes() { return presentation_->take_notes(); }
 
  private:

@@ -64,8 +64,12 @@ base::Status render_demo(const RenderOptions& options, const GameFolders& folder
   const base::Status played = film_frames(run, options, length.first_time_s, {first, end}, film);
   // What came before a fault is kept.
   TRY_STATUS(film.finish());
-  if (run.cut_short()) print_note(fmt::format("{}: the recording is cut off in its last message", demo.name));
-  return played;
+  TRY_STATUS(played);
+  if (end < frame_count) return base::Ok{};
+  if (length.cut_short)
+    print_note(fmt::format("{}: the recording is cut off in its last message", demo.name));
+  if (length.damage) return *length.damage;
+  return base::Ok{};
 }
 
 }  // namespace temblor::app

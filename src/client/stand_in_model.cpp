@@ -40,7 +40,7 @@ formats::Mdl make_stand_in_model() {
     mdl.triangles.push_back({true, {first, first + 1, first + 2}});
     mdl.triangles.push_back({true, {first, first + 2, first + 3}});
   }
-  mdl.frames = {{{pose}, {}, pose.mins, pose.maxs}};
+  mdl.frames = {{{pose}, {}, {}, {}}};
   return mdl;
 }
 

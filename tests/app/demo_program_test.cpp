@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -19,6 +20,18 @@ using ::testing::HasSubstr;
 std::string read_all(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Where the first packet that begins past `offset` has its first message: a recording is a line of text, then
+// packets, each behind its length and three angles.
+std::size_t first_message_after(const std::string& recording, std::size_t offset) {
+  std::size_t packet = recording.find('\n') + 1;
+  while (packet <= offset) {
+    std::int32_t length = 0;
+    std::memcpy(&length, recording.data() + packet, sizeof length);
+    packet += 16 + static_cast<std::size_t>(length);
+  }
+  return packet + 16;
 }
 
 class DemoProgram : public ::testing::Test {
@@ -79,11 +92,11 @@ TEST_F(DemoProgram, RecordingOnDiskThatIsCutOffGivesAWholeFilmOfWhatIsThere) {
 
 TEST_F(DemoProgram, DamageIsAnErrorThatSaysWhereAndWhatCameBeforeIsKept) {
   std::string bytes = recording("demo1_lite");
-  bytes[100000] = bytes[100001] = bytes[100002] = bytes[100003] = '\x7f';
+  bytes[first_message_after(bytes, 100000)] = '\x7e';  // no message has that number
   folder_.write("bad.dem", bytes);
   const ProgramRun ran = run({"render", "--demo", "bad.dem", "--size", "64x48", "--fps", "5", "-o", "x.y4m"});
   EXPECT_EQ(ran.exit_status, 1);
-  EXPECT_THAT(ran.err, HasSubstr("bad.dem: "));
+  EXPECT_THAT(ran.err, HasSubstr("bad.dem: offset "));
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "x.y4m"));
 }
 

@@ -10,8 +10,6 @@
 namespace temblor::oracle {
 namespace {
 
-constexpr double kNearPlane = 1.0 / 16;  // nothing nearer is drawn, units
-
 // Faces this near to each other lie in one place: compilers write planes and vertices no better.
 constexpr double kTieUnits = 1.0 / 64;
 
@@ -86,14 +84,20 @@ Comparison::Comparison(const PreparedLevel& prepared, const render::Scene& scene
 
 // A world face is drawn where the PVS has it; a brush model's, where the leaf that it is seen in is open and
 // in the PVS.
-bool Comparison::accepts(const Ray& ray, const Hit& hit) const {
+bool Comparison::is_shown(const Ray& ray, const Hit& hit) const {
   if (hit.instance == 0) return visible_.has_face(hit.face);
   const world::LeafIndex leaf = leaf_in_front(level_, ray, hit.distance);
   return level_.leaf(leaf).contents != world::Contents::kSolid && visible_.has_leaf(leaf);
 }
 
+bool Comparison::has_holes(const Hit& hit) const {
+  return level_.texture(level_.face(hit.face).texture).kind == world::TextureKind::kCutout;
+}
+
+// Faces with holes are drawn over the others, and are not what the renderer says that a pixel shows.
 std::optional<Hit> Comparison::nearest(const Ray& ray) const {
-  return ray_scene_.nearest(ray, kNearPlane, [&](const Hit& hit) { return accepts(ray, hit); });
+  return ray_scene_.nearest(ray, kNearPlane,
+                            [&](const Hit& hit) { return !has_holes(hit) && is_shown(ray, hit); });
 }
 
 bool Comparison::is_same(const std::optional<Hit>& hit, const render::PixelFace& drawn) const {
@@ -129,8 +133,10 @@ void Comparison::pixel(int x, int y, Tally& io_tally) const {
   if (is_same(hit, drawn)) {
     ++io_tally.same_face;
     if (!hit) return;
-    judge_depth(x, y, *hit, io_tally);
-    judge_colour(x, y, *hit, io_tally);
+    const std::optional<Hit> seen = covering(x, y, *hit);
+    if (!seen) return;
+    judge_depth(x, y, *seen, io_tally);
+    judge_colour(x, y, *seen, io_tally);
   } else if (is_tied(ray, hit, drawn)) {
     ++io_tally.tied;
   } else if (seen_within_a_pixel(x, y, drawn)) {

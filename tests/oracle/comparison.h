@@ -80,7 +80,15 @@ class Comparison {
 
  private:
   std::optional<Hit> nearest(const Ray& ray) const;
-  bool accepts(const Ray& ray, const Hit& hit) const;
+  struct TexelRange {
+    TexelPosition first, last;  // both belong to it
+  };
+  static constexpr double kNearPlane = 1.0 / 16;  // nothing nearer is drawn, units
+
+  bool is_shown(const Ray& ray, const Hit& hit) const;
+  bool has_holes(const Hit& hit) const;
+  std::optional<Hit> covering(int x, int y, const Hit& opaque) const;
+  std::optional<TexelRange> texels_of(int x, int y, const Hit& hit) const;
   bool is_same(const std::optional<Hit>& hit, const render::PixelFace& drawn) const;
   bool is_tied(const Ray& ray, const std::optional<Hit>& hit, const render::PixelFace& drawn) const;
   bool seen_within_a_pixel(int x, int y, const render::PixelFace& drawn) const;

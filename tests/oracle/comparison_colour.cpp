@@ -63,29 +63,58 @@ void Comparison::judge_colour(int x, int y, const Hit& hit, Tally& io_tally) con
     io_tally.findings.push_back(describe_colour(x, y, hit));
 }
 
-// Nothing where too many colours would do.
-std::optional<bool> Comparison::is_right_colour(int x, int y, const Hit& hit) const {
-  const std::size_t position = position_of(x, y);
+// The texels that the renderer may have taken for a pixel; nothing where too many would do.
+std::optional<Comparison::TexelRange> Comparison::texels_of(int x, int y, const Hit& hit) const {
   const world::Face& face = level_.face(hit.face);
-  if (face.kind == world::FaceKind::kSky || face.kind == world::FaceKind::kLiquid)
-    return is_in_texture(position, hit);
   const math::Vec2d centre = texture_position_at(x, y, hit);
   const math::Vec2d per_pixel = (glm::abs(texture_position_at(x + kDerivativeStepPixels, y, hit) - centre) +
                                  glm::abs(texture_position_at(x, y + kDerivativeStepPixels, hit) - centre)) /
                                 kDerivativeStepPixels;
   if (std::max(per_pixel.x, per_pixel.y) > kMostTexelsPerPixel) return std::nullopt;
   const math::Vec2d slack = per_pixel * kTexelSlackPixels + kTexelSlack;
-  const auto texel_range = [&](int axis, double offset) {
-    const auto texel = static_cast<std::int64_t>(std::floor(centre[axis] + offset));
+  const auto texel = [&](int axis, double offset) {
+    const auto position = static_cast<std::int64_t>(std::floor(centre[axis] + offset));
     const std::int64_t first = face.texture_mins[static_cast<std::size_t>(axis)];
-    return std::clamp(texel, first, first + face.texture_extents[static_cast<std::size_t>(axis)] - 1);
+    return std::clamp(position, first, first + face.texture_extents[static_cast<std::size_t>(axis)] - 1);
   };
-  for (std::int64_t t = texel_range(1, -slack.y); t <= texel_range(1, slack.y); ++t) {
-    for (std::int64_t s = texel_range(0, -slack.x); s <= texel_range(0, slack.x); ++s) {
+  return TexelRange{{texel(0, -slack.x), texel(1, -slack.y)}, {texel(0, slack.x), texel(1, slack.y)}};
+}
+
+// Nothing where too many colours would do.
+std::optional<bool> Comparison::is_right_colour(int x, int y, const Hit& hit) const {
+  const std::size_t position = position_of(x, y);
+  const world::Face& face = level_.face(hit.face);
+  if (face.kind == world::FaceKind::kSky || face.kind == world::FaceKind::kLiquid)
+    return is_in_texture(position, hit);
+  const std::optional<TexelRange> range = texels_of(x, y, hit);
+  if (!range) return std::nullopt;
+  for (std::int64_t t = range->first.t; t <= range->last.t; ++t)
+    for (std::int64_t s = range->first.s; s <= range->last.s; ++s)
       if (is_colour_of(position, hit, {s, t})) return true;
-    }
-  }
   return false;
+}
+
+// What covers the pixel: of the faces with holes in front of `opaque`, the first that has none there; else
+// `opaque`. Nothing where a hole's border is too close to tell.
+std::optional<Hit> Comparison::covering(int x, int y, const Hit& opaque) const {
+  constexpr std::uint8_t kHole = 255;
+  const Ray ray = rays_.ray(x, y);
+  double from = kNearPlane;
+  for (;;) {
+    const std::optional<Hit> front = ray_scene_.nearest(ray, from, [&](const Hit& hit) {
+      return hit.distance < opaque.distance && has_holes(hit) && is_shown(ray, hit);
+    });
+    if (!front) return opaque;
+    const std::optional<TexelRange> range = texels_of(x, y, *front);
+    if (!range) return std::nullopt;
+    std::size_t texels = 0, holes = 0;
+    for (std::int64_t t = range->first.t; t <= range->last.t; ++t)
+      for (std::int64_t s = range->first.s; s <= range->last.s; ++s, ++texels)
+        holes += texel_at(level_.texture(texture_of(*front)), {s, t}) == kHole;
+    if (holes == 0) return front;
+    if (holes < texels) return std::nullopt;
+    from = std::nextafter(front->distance, opaque.distance);
+  }
 }
 
 std::string Comparison::describe_colour(int x, int y, const Hit& hit) const {
