@@ -5,7 +5,8 @@ SOURCES = find src tests bench fuzz -name '*.cpp' -o -name '*.h'
 MAPS = start lq_e0m1 lq_e1m2
 # Without game data the program draws the level that it makes in code.
 WITH_DATA = $(if $(TEMBLOR_DATA),--basedir "$(TEMBLOR_DATA)")
-BENCH_MAPS = $(if $(TEMBLOR_DATA),$(addprefix --map ,$(MAPS)))
+DEMOS = demo1_lite demo2_lite demo3_lite
+BENCHED = $(if $(TEMBLOR_DATA),$(addprefix --map ,$(MAPS)) $(addprefix --demo ,$(DEMOS)))
 
 play:
 	tools/play.sh
@@ -16,7 +17,7 @@ bench:
 	tools/setup.sh build
 	cmake --preset release
 	cmake --build --preset release --target temblor kernel_bench
-	build/release/temblor $(WITH_DATA) bench --report $(BENCH_MAPS)
+	build/release/temblor $(WITH_DATA) bench --report $(BENCHED)
 	build/release/bench/kernel_bench
 
 format:

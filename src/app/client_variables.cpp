@@ -1,5 +1,10 @@
 #include "app/client_variables.h"
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string_view>
+
 namespace temblor::app {
 namespace {
 
@@ -11,6 +16,21 @@ client::StatusBar status_bar_of(std::int64_t view_size) {
   return view_size >= kSmallBarViewSize ? client::StatusBar::kSmall : client::StatusBar::kFull;
 }
 
+float weapon_rise_above(client::StatusBar bar) {
+  if (bar == client::StatusBar::kNone) return 0;
+  return bar == client::StatusBar::kSmall ? 1 : 2;
+}
+
+std::vector<std::string> split_at_commas(std::string_view text) {
+  std::vector<std::string> parts;
+  while (!text.empty()) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    if (comma > 0) parts.emplace_back(text.substr(0, comma));
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return parts;
+}
+
 }  // namespace
 
 ClientVariables::ClientVariables(command::Variables& variables) {
@@ -18,7 +38,7 @@ ClientVariables::ClientVariables(command::Variables& variables) {
   const auto factor = [&](const char* name, float value, double most, const char* help) {
     return variables.add_float(name, static_cast<double>(value), 0, most, help);
   };
-  no_lerp_ = variables.add_bool("cl_nolerp", !defaults.client.interpolate,
+  no_lerp_ = variables.add_bool("cl_nolerp", !defaults.interpolate,
                                 "Entities stand where the server's last word put them, as in the original's "
                                 "recordings; 0: they move smoothly.");
   max_particles_ =
@@ -55,7 +75,8 @@ client::PresentationSettings ClientVariables::read(const command::Variables& var
     return static_cast<float>(variables.float_value(index));
   };
   client::PresentationSettings settings;
-  settings.client.interpolate = !variables.bool_value(no_lerp_);
+  settings.interpolate = !variables.bool_value(no_lerp_);
+  settings.no_lerp_models = split_at_commas(variables.text_value(no_lerp_models_));
   settings.effects.max_particles = static_cast<std::size_t>(variables.int_value(max_particles_));
   settings.effects.marks = variables.bool_value(marks_);
   settings.view.bob = factor(bob_);
@@ -66,6 +87,7 @@ client::PresentationSettings ClientVariables::read(const command::Variables& var
   settings.view.powerup_tint = factor(powerup_tint_);
   settings.view.contents_tint = factor(contents_tint_);
   settings.hud.status_bar = status_bar_of(variables.int_value(view_size_));
+  settings.view.weapon_rise = weapon_rise_above(settings.hud.status_bar);
   settings.hud.scale = static_cast<int>(variables.int_value(hud_scale_));
   settings.hud.opacity = factor(hud_opacity_);
   settings.show_weapon = variables.bool_value(show_weapon_);

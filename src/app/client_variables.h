@@ -15,9 +15,9 @@ class ClientVariables {
   client::PresentationSettings read(const command::Variables& variables) const;
 
  private:
-  command::VariableIndex no_lerp_, max_particles_, marks_, bob_, roll_, kick_, damage_tint_, bonus_tint_,
-      powerup_tint_, contents_tint_, view_size_, hud_scale_, hud_opacity_, show_weapon_, water_alpha_,
-      slime_alpha_, lava_alpha_, teleport_alpha_, fog_, skybox_;
+  command::VariableIndex no_lerp_, no_lerp_models_, max_particles_, marks_, bob_, roll_, kick_, damage_tint_,
+      bonus_tint_, powerup_tint_, contents_tint_, view_size_, hud_scale_, hud_opacity_, show_weapon_,
+      water_alpha_, slime_alpha_, lava_alpha_, teleport_alpha_, fog_, skybox_;
 };
 
 }  // namespace temblor::app

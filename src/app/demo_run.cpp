@@ -26,7 +26,8 @@ base::Result<DemoRun> DemoRun::start(const LoadedDemo& demo, const FrameOptions&
 
 base::Status DemoRun::present() {
   const double time_s = player_.server_time_s();
-  const math::Vec3 angles_deg = player_.view_angles_at(time_s, presentation_settings_.client);
+  const math::Vec3 angles_deg = player_.view_angles_at(
+      time_s, {.interpolate = presentation_settings_.interpolate, .no_lerp_models = {}});
   return presentation_->advance(player_.state(), time_s, angles_deg, presentation_settings_);
 }
 

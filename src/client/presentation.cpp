@@ -18,11 +18,16 @@ const SeenEntity* find_entity(std::span<const SeenEntity> entities, std::uint32_
 Presentation::Presentation(const assets::Library& library)
     : library_(library), pictures_(library.pictures(notes_)), hud_(pictures_) {}
 
-base::Status Presentation::begin_level(const Game& game) {
+base::Status Presentation::begin_level(const Game& game, const PresentationSettings& settings) {
   scene_ = {};
   models_.reset();
   TRY(ModelTable models, ModelTable::load(library_, game.models, notes_));
   models_.emplace(std::move(models));
+  client_settings_.no_lerp_models.clear();
+  for (const std::string& name : game.models)
+    client_settings_.no_lerp_models.push_back(std::find(settings.no_lerp_models.begin(),
+                                                        settings.no_lerp_models.end(),
+                                                        name) != settings.no_lerp_models.end());
   environment_ = environment_of(*models_->level());
   hud_.begin_level();
   effects_.begin_level();
@@ -55,12 +60,13 @@ void Presentation::apply_environment(const Game& game, double time_s, const Pres
 base::Status Presentation::advance(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
                                    const PresentationSettings& settings) {
   const Game& game = io_state.game();
-  if (io_state.events().new_level) TRY_STATUS(begin_level(game));
+  if (io_state.events().new_level) TRY_STATUS(begin_level(game, settings));
   if (!models_) return base::Ok{};
 
+  client_settings_.interpolate = settings.interpolate;
   keep_light();
   const bool is_first_scene = scene_.level == nullptr;
-  const std::span<const SeenEntity> entities = io_state.entities_at(time_s, settings.client);
+  const std::span<const SeenEntity> entities = io_state.entities_at(time_s, client_settings_);
   const world::Level& level = *models_->level();
   effects_.advance(io_state.events(), {level, time_s, entities, models_->flags(), game.view_entity},
                    settings.effects);
@@ -68,7 +74,7 @@ base::Status Presentation::advance(ClientState& io_state, double time_s, const m
   const PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
   hud_.advance(game, io_state.events(), time_s);
   scene_ = scene_builder_.build(
-      {*models_, game, entities, effects_, view, io_state.weapon_frame_at(time_s, settings.client), time_s,
+      {*models_, game, entities, effects_, view, io_state.weapon_frame_at(time_s, client_settings_), time_s,
        settings.show_weapon && game.ending == Ending::kNone},
       notes_);
   scene_.frame_number = ++frame_number_;

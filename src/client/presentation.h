@@ -21,7 +21,10 @@
 namespace temblor::client {
 
 struct PresentationSettings {
-  ClientSettings client;
+  bool interpolate = true;  // ClientSettings
+  // Models that are not blended from frame to frame, by their names in the precache list; followed from the
+  // next level on.
+  std::vector<std::string> no_lerp_models = {"progs/flame.mdl", "progs/flame0.mdl", "progs/flame2.mdl"};
   EffectsSettings effects;
   ViewSettings view;
   HudSettings hud;
@@ -52,13 +55,14 @@ class Presentation {
   std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
  private:
-  base::Status begin_level(const Game& game);
+  base::Status begin_level(const Game& game, const PresentationSettings& settings);
   void keep_light();
   void apply_environment(const Game& game, double time_s, const PresentationSettings& settings);
 
   const assets::Library& library_;
   assets::Pictures pictures_;
   std::optional<ModelTable> models_;
+  ClientSettings client_settings_;
   Effects effects_;
   View view_;
   Hud hud_;

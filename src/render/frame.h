@@ -87,8 +87,8 @@ struct FrameStats {
       0;  // surfaces built beside the cache because this frame's did not fit the budget
   std::uint32_t bands = 0;
   std::uint32_t models = 0;     // alias models that may be on the screen
-  std::uint32_t triangles = 0;  // of theirs that were drawn
-  std::uint32_t particles = 0;  // on the screen
+  std::uint32_t triangles = 0;  // theirs
+  std::uint32_t particles = 0;  // in the scene
   std::array<double, kStages> stage_ms{};
   std::array<double, kStages> stage_cycles{};  // time-stamp counter ticks
 };

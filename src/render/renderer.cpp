@@ -188,12 +188,15 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   draw_late_faces(late.opaque, late_target, *s.jobs, s.job_arenas, io_frame);
   clock.end(Stage::kTranslucent);
   if (settings.fill_depth) {  // what follows is tested against it
-    draw_alias_models(scene, settings, view, band_rows, s.colour_tables, *s.jobs, s.arena, s.model_arenas,
-                      io_frame);
+    const AliasCounts drawn = draw_alias_models(scene, settings, view, band_rows, s.colour_tables, *s.jobs,
+                                                s.arena, s.model_arenas, io_frame);
+    stats.models = drawn.models;
+    stats.triangles = drawn.triangles;
     clock.end(Stage::kModels);
     draw_sprites(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
     clock.end(Stage::kSprites);
     draw_particles(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    stats.particles = static_cast<std::uint32_t>(scene.particles.size());
     clock.end(Stage::kParticles);
   }
 

@@ -44,11 +44,11 @@ std::span<const PreparedAlias> prepare_all(const Scene& scene, const Settings& s
 
 }  // namespace
 
-void draw_alias_models(const Scene& scene, const Settings& settings, const ViewFrame& view, int band_rows,
-                       const ColourTables& tables, base::Jobs& jobs, base::Arena& arena,
-                       std::vector<base::Arena>& io_job_arenas, FrameBuffer& io_frame) {
+AliasCounts draw_alias_models(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                              int band_rows, const ColourTables& tables, base::Jobs& jobs, base::Arena& arena,
+                              std::vector<base::Arena>& io_job_arenas, FrameBuffer& io_frame) {
   const std::span<const AliasPlacement> placements = place_all(scene, view, arena);
-  if (placements.empty()) return;
+  if (placements.empty()) return {};
   const PixelFormat format = io_frame.format();
   const std::span<const PreparedAlias> prepared =
       prepare_all(scene, settings, view, placements, tables, format, jobs, arena, io_job_arenas);
@@ -66,6 +66,12 @@ void draw_alias_models(const Scene& scene, const Settings& settings, const ViewF
       if (target.row_begin < target.row_end) fill_alias(alias, format, settings.vector_kernels, target);
     }
   });
+  AliasCounts counts;
+  for (const PreparedAlias& alias : prepared) {
+    ++counts.models;
+    counts.triangles += static_cast<std::uint32_t>(alias.job.triangle_count);
+  }
+  return counts;
 }
 
 }  // namespace temblor::render
