@@ -41,6 +41,9 @@ ClientVariables::ClientVariables(command::Variables& variables) {
   no_lerp_ = variables.add_bool("cl_nolerp", !defaults.interpolate,
                                 "Entities stand where the server's last word put them, as in the original's "
                                 "recordings; 0: they move smoothly.");
+  no_lerp_models_ =
+      variables.add_text("r_nolerp_list", fmt::format("{}", fmt::join(defaults.no_lerp_models, ",")),
+                         "Models that jump from frame to frame, with commas between.");
   max_particles_ =
       variables.add_int("r_particles_max", static_cast<std::int64_t>(defaults.effects.max_particles), 0,
                         1 << 20, "Particles at a time; further ones are left out.");

@@ -28,7 +28,7 @@ PoseIndex pose_at(const AliasModel& model, std::uint32_t frame, double time_s);
 std::uint32_t skin_at(const AliasModel& model, std::uint32_t skin, double time_s);
 
 std::uint32_t flags_of(const AliasModel& model);  // formats::MdlFlags
-bool random_phase_of(const AliasModel& model);  // its groups start at a time of their own for each entity
+bool random_phase_of(const AliasModel& model);    // its groups start at a time of their own for each entity
 std::uint32_t frame_count(const AliasModel& model);
 std::uint32_t skin_count(const AliasModel& model);
 const std::string& name_of(const AliasModel& model);
