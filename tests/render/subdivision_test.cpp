@@ -121,7 +121,7 @@ TEST_F(Subdivision, DiffersFromAffineByLittleWhereItIsChosen) {
     const Difference difference = difference_at(side_px, render::AliasRaster::kSubdivision);
     EXPECT_LE(difference.farthest_px, kMostPx) << side_px;
     EXPECT_LE(difference.brightness, kMostBrightness) << side_px;
-    EXPECT_GT(difference.covered, 50u) << side_px;
+    EXPECT_GT(difference.covered, static_cast<std::size_t>(effort(50, 20))) << side_px;
   }
 }
 

@@ -27,8 +27,11 @@ void* operator new(std::size_t bytes) {
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
   return counted_allocation(bytes, static_cast<std::size_t>(alignment));
 }
-// Here too, as the address sanitizer's own one does not call the form above, and its memory may not be freed
-// with the delete below.
+// Here too, as the address sanitizer's own ones do not call the forms above, and their memory may not be
+// freed with the delete below.
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  return try_counted_allocation(bytes, __STDCPP_DEFAULT_NEW_ALIGNMENT__);
+}
 void* operator new(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept {
   return try_counted_allocation(bytes, static_cast<std::size_t>(alignment));
 }
@@ -36,6 +39,9 @@ void operator delete(void* memory) noexcept {
   std::free(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, const std::nothrow_t&) noexcept {
   std::free(memory);
 }
 void operator delete(void* memory, std::align_val_t) noexcept {
