@@ -40,7 +40,7 @@ base::Result<std::optional<DemMessage>> DemReader::next() {
   base::ByteReader record = reader_;
   const std::int32_t length = record.i32();
   if (record.ok() && (length < 0 || static_cast<std::size_t>(length) > kMaxDemMessage))
-    return base::malformed("message at offset {:#x}: a length of {} bytes, the limit is {}", reader_.offset(),
+    return base::malformed("message at offset {}: a length of {} bytes, the limit is {}", reader_.offset(),
                            length, kMaxDemMessage);
   DemMessage message;
   for (int axis = 0; axis < 3; ++axis) message.view_angles_deg[axis] = record.f32();
@@ -52,7 +52,7 @@ base::Result<std::optional<DemMessage>> DemReader::next() {
   }
   for (int axis = 0; axis < 3; ++axis)
     if (!std::isfinite(message.view_angles_deg[axis]))
-      return base::malformed("message at offset {:#x}: view angle {} is {}", reader_.offset(), axis,
+      return base::malformed("message at offset {}: view angle {} is {}", reader_.offset(), axis,
                              message.view_angles_deg[axis]);
   reader_ = record;
   return Message{message};

@@ -122,7 +122,7 @@ TEST(Dem, LengthsOutOfRange) {
     EXPECT_EQ(recording.records.size(), 1u);
     EXPECT_FALSE(recording.cut_short);
     EXPECT_EQ(recording.error,
-              fmt::format("message at offset 0x14: a length of {} bytes, the limit is 64000", length));
+              fmt::format("message at offset 20: a length of {} bytes, the limit is 64000", length));
   }
 }
 
@@ -130,7 +130,7 @@ TEST(Dem, AnglesThatAreNoNumbers) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const Recording recording = play(test::with_number(hand_made_recording(), kSecondAt + 8, nan));
   EXPECT_EQ(recording.records.size(), 1u);
-  EXPECT_THAT(recording.error, HasSubstr("message at offset 0x14: view angle 1 is"));
+  EXPECT_THAT(recording.error, HasSubstr("message at offset 20: view angle 1 is"));
 }
 
 TEST(Dem, StockRecordingsComeOutAsTheyWentIn) {
