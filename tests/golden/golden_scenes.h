@@ -1,6 +1,7 @@
 // What the golden pictures show: scenes of the level made in code, with things made in code in it.
 #pragma once
 
+#include <ostream>
 #include <span>
 
 #include "golden/golden_picture.h"
@@ -17,6 +18,9 @@ struct GoldenScene {
   void (*draw)(render::FrameBuffer& io_frame);  // in the colours of artgen::make_palette()
   Tolerance tolerance = {};
 };
+inline void PrintTo(const GoldenScene& scene, std::ostream* out) {
+  *out << scene.name;
+}
 
 std::span<const GoldenScene> golden_scenes();
 

@@ -110,7 +110,7 @@ void draw_models_near(render::FrameBuffer& io_frame) {
 
 void draw_models_far(render::FrameBuffer& io_frame) {
   GoldenStage stage;
-  const auto walker = drawable(walker_mdl()), ball = small_model(sphere_mdl(), 48);
+  const auto walker = drawable(walker_mdl()), ball = small_model(sphere_mdl(32, 17), 48);
   std::vector<render::AliasInstance> models;
   for (int row = 0; row < 6; ++row)
     for (int place = 0; place < 5; ++place) {
