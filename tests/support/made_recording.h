@@ -28,8 +28,8 @@ class MadeGame {
 // 0-15     the player stands at the hall's west end and looks east, weapon in hand; health 100, 25 shells
 // 0-4      a walker crosses the hall from left to right, 50 units a second, swinging its legs; a ball stands
 //          to the right; the door is where it belongs; a text for two seconds
-// 1.0      the player fires: the weapon kicks back, its flash lights the hall; two shots hit the floor, one
-//          the walker, who bleeds
+// 1.0      the player fires: the weapon kicks back, lit by its flash as the floor below it is; two shots hit
+//          the floor, one the walker, who bleeds
 // 2.0-3.0  a rocket flies to the right with smoke and light
 // 3.0      it explodes: sparks, and light that fades within half a second
 // 4.0-4.6  spike, big spike, wizard's and knight's spikes hit the floor before the player
