@@ -30,11 +30,7 @@ struct FogRow {
 };
 
 // How many 64ths of fog lie before a depth.
-inline int fog_step_at(const float* step_end_depths, float depth) {
-  int step = 0;
-  for (int half = kFogSteps / 2; half > 0; half /= 2) step += depth < step_end_depths[step + half] ? half : 0;
-  return step + (depth < step_end_depths[step + 1] ? 1 : 0);
-}
+int fog_step_at(const float* step_end_depths, float depth);
 
 void fog_row_u8_plain(const FogRow& row);
 void fog_row_u32_plain(const FogRow& row);

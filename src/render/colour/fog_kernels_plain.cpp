@@ -24,6 +24,12 @@ std::uint32_t share_256(const FogRow& row, float depth) {
 
 }  // namespace
 
+int fog_step_at(const float* step_end_depths, float depth) {
+  int step = 0;
+  for (int half = kFogSteps / 2; half > 0; half /= 2) step += depth < step_end_depths[step + half] ? half : 0;
+  return step + (depth < step_end_depths[step + 1] ? 1 : 0);
+}
+
 // Neighbours mostly share a step: while they do, all that a pixel costs is its look-up.
 void fog_row_u8_plain(const FogRow& row) {
   auto* const pixels = static_cast<std::uint8_t*>(row.pixels);
