@@ -28,7 +28,10 @@ base::Status DemoRun::present() {
   const double time_s = player_.server_time_s();
   const math::Vec3 angles_deg = player_.view_angles_at(
       time_s, {.interpolate = presentation_settings_.interpolate, .no_lerp_models = {}});
-  return presentation_->advance(player_.state(), time_s, angles_deg, presentation_settings_);
+  TRY_STATUS(presentation_->advance(player_.state(), time_s, angles_deg, presentation_settings_));
+  overlay_ =
+      &presentation_->draw_list(player_.state(), frame_.width(), frame_.height(), presentation_settings_);
+  return base::Ok{};
 }
 
 base::Result<bool> DemoRun::advance_to(double time_s) {
@@ -45,9 +48,7 @@ base::Result<bool> DemoRun::advance_by_packet() {
 
 render::FrameStats DemoRun::draw() {
   render::FrameStats stats = renderer_.render(presentation_->scene(), render_settings_, frame_);
-  const render::DrawList& list =
-      presentation_->draw_list(player_.state(), frame_.width(), frame_.height(), presentation_settings_);
-  renderer_.draw_overlay(list, frame_);
+  renderer_.draw_overlay(*overlay_, frame_, stats);
   return stats;
 }
 

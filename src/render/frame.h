@@ -63,12 +63,13 @@ enum class Stage {
   kSprites,
   kParticles,
   kTranslucent,
-  kScreen
+  kScreen,
+  kOverlay
 };
-constexpr std::size_t kStages = 11;
+constexpr std::size_t kStages = 12;
 constexpr std::array<const char*, kStages> kStageNames = {"view",      "visibility",  "edges",  "scan",
                                                           "surfaces",  "spans",       "models", "sprites",
-                                                          "particles", "translucent", "screen"};
+                                                          "particles", "translucent", "screen", "overlay"};
 
 struct FrameStats {
   std::uint32_t faces_in_pvs = 0;  // faces of the leafs that the eye's leaf can see

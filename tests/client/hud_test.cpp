@@ -149,7 +149,8 @@ Drawn draw(const Hud& hud, const Game& game, double time_s, const Size& size = k
   hud.draw(game, time_s, size.width, size.height, settings, drawn.list);
   render::FrameBuffer frame(size.width, size.height, render::PixelFormat::kIndexed);
   std::fill(frame.indexed().begin(), frame.indexed().end(), kNothing);
-  painter().draw_overlay(drawn.list, frame);
+  render::FrameStats stats;
+  painter().draw_overlay(drawn.list, frame, stats);
   drawn.pixels.assign(frame.indexed().begin(), frame.indexed().end());
   return drawn;
 }

@@ -157,7 +157,9 @@ TEST(DrawOverlay, DrawsInOrderThroughTheRenderer) {
   const render::DrawList list{{{.area = {0, 0, 6, 1}, .fill = 1},
                                {.picture = &picture, .area = {2, 0, 4, 2}, .scale = 2},
                                {.area = {3, 0, 1, 1}, .fill = 5}}};
-  renderer.draw_overlay(list, frame);
+  render::FrameStats stats;
+  renderer.draw_overlay(list, frame, stats);
+  EXPECT_GT(stats.stage_ms[static_cast<std::size_t>(render::Stage::kOverlay)], 0.0);
   EXPECT_EQ(std::vector<std::uint8_t>(frame.indexed().begin(), frame.indexed().end()),
             (std::vector<std::uint8_t>{1, 1, 3, 5, 1, 1, 9, 9}));
 }
