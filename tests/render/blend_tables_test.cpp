@@ -11,20 +11,14 @@
 #include <vector>
 
 #include "support/game_data.h"
+#include "support/some_colours.h"
 
 namespace temblor::render {
 namespace {
 
-constexpr int kFirstFullbright = 224;
+using test::random_palette;
 
-formats::Palette random_palette(unsigned seed) {
-  std::mt19937 random(seed);
-  formats::Palette palette;
-  for (formats::Rgb& colour : palette)
-    colour = {static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
-              static_cast<std::uint8_t>(random())};
-  return palette;
-}
+constexpr int kFirstFullbright = 224;
 
 int distance(formats::Rgb a, formats::Rgb b) {
   const int r = a.r - b.r, g = a.g - b.g, blue = a.b - b.b;

@@ -13,22 +13,10 @@
 #include "render/renderer.h"
 #include "support/effort.h"
 #include "support/random.h"
+#include "support/some_colours.h"
 
 namespace temblor::test {
 namespace {
-
-formats::Palette random_palette() {
-  Random random(1);
-  formats::Palette palette;
-  for (formats::Rgb& colour : palette)
-    colour = {static_cast<std::uint8_t>(random.bits()), static_cast<std::uint8_t>(random.bits()),
-              static_cast<std::uint8_t>(random.bits())};
-  return palette;
-}
-const render::ColourTables& some_tables() {
-  static const render::ColourTables tables = render::make_colour_tables(random_palette(), {});
-  return tables;
-}
 
 // A third of it transparent.
 formats::Picture random_picture(Random& random) {
@@ -150,7 +138,7 @@ TEST(DrawOverlay, PutsEveryPixelWhereItBelongs) {
 }
 
 TEST(DrawOverlay, DrawsInOrderThroughTheRenderer) {
-  const render::Renderer renderer(random_palette(), {});
+  const render::Renderer renderer(random_palette(1), {});
   render::FrameBuffer frame(8, 1, render::PixelFormat::kIndexed);
   std::fill(frame.indexed().begin(), frame.indexed().end(), std::uint8_t{9});
   const formats::Picture picture{2, 1, {3, 255}};
