@@ -58,7 +58,7 @@ bool is_level(const std::string& name) {
 }  // namespace
 
 // Levels among them are joined to the first.
-void ModelTable::load_models(const assets::Library& library, std::shared_ptr<const world::Level> level,
+void ModelTable::load_models(const assets::Library& library, const std::shared_ptr<const world::Level>& level,
                              std::span<const std::string> names, std::vector<std::string>& io_notes) {
   models_.assign(names.size(), stand_in_);
   models_[kLevelNumber] = world::ModelIndex{0};
@@ -101,12 +101,12 @@ base::Result<ModelTable> ModelTable::load(const assets::Library& library, std::s
                                           std::vector<std::string>& io_notes) {
   if (names.size() <= kLevelNumber)
     return base::malformed("the server named no level: its list of models is empty");
-  TRY(assets::LoadedLevel loaded, library.level(names[kLevelNumber]));
+  TRY(const assets::LoadedLevel loaded, library.level(names[kLevelNumber]));
   io_notes.insert(io_notes.end(), loaded.notes.begin(), loaded.notes.end());
 
   ModelTable table;
   table.stand_in_ = render::make_alias_model(make_stand_in_model(), "missing model");
-  table.load_models(library, std::move(loaded.level), names, io_notes);
+  table.load_models(library, loaded.level, names, io_notes);
   table.load_beams(library);
   for (const ClientModel& model : table.models_) {
     const auto* alias = std::get_if<AliasModelPtr>(&model);
