@@ -21,7 +21,7 @@ namespace temblor::render {
 constexpr int kOpaque256 = 256;
 constexpr int opacity_256(float opacity) {
   const float bounded = opacity > 0 ? (opacity < 1 ? opacity : 1.0f) : 0.0f;
-  return static_cast<int>(bounded * 512.0f + 1.0f) / 2;
+  return static_cast<int>(bounded * 256.0f + 0.5f);
 }
 constexpr std::uint8_t blend_channel(int over, int under, int opacity_256) {
   return static_cast<std::uint8_t>((over * opacity_256 + under * (256 - opacity_256) + 128) >> 8);
