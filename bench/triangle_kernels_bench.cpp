@@ -76,7 +76,7 @@ void draw_triangles(benchmark::State& state) {
     Draw(job, target);
     benchmark::ClobberMemory();
   }
-  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * count));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
 }
 
 void areas(benchmark::internal::Benchmark* benchmark) {

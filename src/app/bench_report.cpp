@@ -106,6 +106,10 @@ base::Status report_demo_format(const LoadedDemo& demo, const client::Presentati
             fmt::format("{:.2f} (two floors side by side: {:.2f})", one.render_ms.p50 / two.render_ms.p50,
                         floor_speedup_of_two_threads(kMainSize, format)),
             "at least 1.8 where the floors show 2");
+  print_row(
+      fmt::format("{}: frames that allocate", name),
+      fmt::format("{} of {}, {} times at most", one.allocating_frames, one.frames, one.most_allocations),
+      "none but where more is seen than before");
   print_row(fmt::format("{}: shares", name), describe_shares(one), "-");
   return base::Ok{};
 }

@@ -129,6 +129,7 @@ base::Status ChildProcess::write(base::Bytes bytes) {
 }
 
 base::Status ChildProcess::finish() {
+  if (process_ < 0) return base::Ok{};
   close_input();
   int status = 0;
   while (waitpid(process_, &status, 0) < 0)

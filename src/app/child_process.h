@@ -21,7 +21,7 @@ class ChildProcess {
   // To its standard input. Fails when it has ended; the error then says what it said.
   base::Status write(base::Bytes bytes);
   // Ends its input and waits for it. Fails unless its exit status is 0; the error has the last line that it
-  // wrote to standard error.
+  // wrote to standard error. Nothing is left to say once it has been waited for, here or in write().
   base::Status finish();
 
  private:

@@ -30,8 +30,11 @@ math::Vec3 DemoRun::view_angles_deg() const {
 }
 
 base::Status DemoRun::present() {
-  return presentation_->advance(player_.state(), player_.server_time_s(), view_angles_deg(),
-                                presentation_settings_);
+  TRY_STATUS(presentation_->advance(player_.state(), player_.server_time_s(), view_angles_deg(),
+                                    presentation_settings_));
+  overlay_ =
+      &presentation_->draw_list(player_.state(), frame_.width(), frame_.height(), presentation_settings_);
+  return base::Ok{};
 }
 
 base::Status DemoRun::pass() {
@@ -61,9 +64,7 @@ base::Result<bool> DemoRun::advance_by_packet() {
 
 render::FrameStats DemoRun::draw() {
   render::FrameStats stats = renderer_.render(presentation_->scene(), render_settings_, frame_);
-  const render::DrawList& list =
-      presentation_->draw_list(player_.state(), frame_.width(), frame_.height(), presentation_settings_);
-  renderer_.draw_overlay(list, frame_);
+  renderer_.draw_overlay(*overlay_, frame_, stats);
   return stats;
 }
 

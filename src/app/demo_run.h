@@ -43,6 +43,7 @@ class DemoRun {
 
   client::DemoPlayer player_;
   std::unique_ptr<client::Presentation> presentation_;  // parts of it refer to one another
+  const render::DrawList* overlay_ = nullptr;           // its last
   client::PresentationSettings presentation_settings_;
   render::Settings render_settings_;
   render::Renderer renderer_;

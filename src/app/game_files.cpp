@@ -33,7 +33,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 base::Result<vfs::FileSystem> open_files(const GameFolders& folders) {
-  if (folders.base_folder.empty() && !std::filesystem::is_directory("id1"))
+  std::error_code ignored;
+  if (folders.base_folder.empty() && !std::filesystem::is_directory("id1", ignored))
     return base::error(base::ErrorCode::kNotFound,
                        "no game data: the current folder holds no id1; name the folder that does with "
                        "--basedir DIR (without --map and --demo, the level made in code needs none)");

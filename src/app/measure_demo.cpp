@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "app/allocation_counter.h"
 #include "app/demo_run.h"
 #include "app/diagnostics.h"
@@ -53,16 +51,15 @@ base::Result<Measurement> measure_demo(const LoadedDemo& demo,
   run.draw();  // what is done once for a level is part of loading it
   for (bool goes_on = true; goes_on;) {
     progress.update(samples.frame_ms.size(), length.packets);
+    const std::uint64_t allocations_before = allocation_count();
     base::Result<bool> advanced = true;
     const double client_ms = time_ms([&] { advanced = run.advance_by_packet(); });
     if (!advanced.ok()) return advanced.error();
     goes_on = *advanced;
     render::FrameStats stats;
-    const std::uint64_t allocations_before = allocation_count();
     const double render_ms = time_ms([&] { stats = run.draw(); });
-    const std::uint64_t allocations = allocation_count() - allocations_before;
     const double present_ms = time_ms([&] { window.present(run.frame(), demo.look.palette); });
-    result.most_allocations = std::max(result.most_allocations, allocations);
+    result.count_allocations(allocation_count() - allocations_before);
     samples.client_ms.push_back(client_ms);
     samples.render_ms.push_back(client_ms + render_ms);
     samples.present_ms.push_back(present_ms);

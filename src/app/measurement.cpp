@@ -189,7 +189,7 @@ Samples measure_warm(Bench& io_bench, Measurement& io_result) {
       const double render_ms = time_ms([&] { stats = io_bench.draw(camera); });
       const double present_ms = time_ms([&] { io_bench.present_frame(); });
       const std::uint64_t allocations = allocation_count() - allocations_before;
-      io_result.most_allocations = std::max(io_result.most_allocations, allocations);
+      io_result.count_allocations(allocations);
       samples.render_ms.push_back(render_ms);
       samples.present_ms.push_back(present_ms);
       samples.frame_ms.push_back(render_ms + present_ms);
@@ -203,6 +203,11 @@ Samples measure_warm(Bench& io_bench, Measurement& io_result) {
 }
 
 }  // namespace
+
+void Measurement::count_allocations(std::uint64_t of_frame) {
+  most_allocations = std::max(most_allocations, of_frame);
+  allocating_frames += of_frame > 0;
+}
 
 Measurement measure(const LoadedMap& map, const MeasureOptions& options) {
   Bench bench(map, options);

@@ -45,7 +45,8 @@ struct Measurement {
   double fps = 0;          // frames / (time to render and present them)
   Distribution frame_ms;   // client, render and present
   Distribution render_ms;  // all but present
-  Distribution client_ms;  // recordings, part of render_ms: messages read, entities and effects moved
+  // Recordings, part of render_ms: messages read, entities and effects moved, status bar and texts laid out.
+  Distribution client_ms;
   double client_mean_ms = 0;
   Distribution present_ms;  // palette expansion; 0 for rgb, which a window takes as it is
   double present_mean_ms = 0;
@@ -60,9 +61,13 @@ struct Measurement {
   std::array<double, render::kStages> stage_cycles_per_pixel{};  // means
   Distribution models, triangles, particles;                     // of recordings
   Distribution faces_in_pvs, faces_drawn, faces_seen, edges, spans, surfaces, texels_read;
-  std::uint64_t cache_bytes = 0;       // in use at the end: all surfaces of all views
-  std::uint64_t surfaces_built = 0;    // in all warm frames together
-  std::uint64_t most_allocations = 0;  // of the warm frame that allocated most often
+  std::uint64_t cache_bytes = 0;     // in use at the end: all surfaces of all views
+  std::uint64_t surfaces_built = 0;  // in all warm frames together
+  // Calls of operator new in a frame. Of a recording the first sight of things is among them: arenas grow.
+  std::uint64_t most_allocations = 0;
+  std::size_t allocating_frames = 0;
+
+  void count_allocations(std::uint64_t of_frame);
 };
 
 Measurement measure(const LoadedMap& map, const MeasureOptions& options);

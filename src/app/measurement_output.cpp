@@ -81,8 +81,9 @@ std::string describe_measurement(const std::string& name, const Measurement& m) 
   if (m.circle_cache_bytes)
     fmt::format_to(out, "  {:<11}{:>9.1f} MiB median {:>9.1f} max, for a circle\n", "",
                    m.circle_cache_bytes->p50 / kMebibyte, m.circle_cache_bytes->max / kMebibyte);
-  fmt::format_to(out, "  {:<11}{:>9} built, {} allocations at most in a frame\n", "surfaces",
-                 m.surfaces_built, m.most_allocations);
+  fmt::format_to(out, "  {:<11}{:>9} built\n", "surfaces", m.surfaces_built);
+  fmt::format_to(out, "  {:<11}{:>9} frames allocate, {} times at most\n", "heap", m.allocating_frames,
+                 m.most_allocations);
   return text;
 }
 
@@ -107,6 +108,7 @@ nlohmann::json json_of(const std::string& name, const Measurement& m) {
       {"texels_read", m.texels_read.p50},
       {"cache_bytes", m.cache_bytes},
       {"allocations", m.most_allocations},
+      {"allocating_frames", m.allocating_frames},
       {"threads", m.options.settings.threads},
       {"size", size_text(m.options.size)},
       {"color", name_of(m.options.format)}};

@@ -57,17 +57,11 @@ bool is_level(const std::string& name) {
 
 }  // namespace
 
-base::Result<ModelTable> ModelTable::load(const assets::Library& library, std::span<const std::string> names,
-                                          std::vector<std::string>& io_notes) {
-  if (names.size() <= kLevelNumber)
-    return base::malformed("the server named no level: its list of models is empty");
-  TRY(assets::LoadedLevel loaded, library.level(names[kLevelNumber]));
-  io_notes.insert(io_notes.end(), loaded.notes.begin(), loaded.notes.end());
-
-  ModelTable table;
-  table.stand_in_ = render::make_alias_model(make_stand_in_model(), "missing model");
-  table.models_.assign(names.size(), table.stand_in_);
-  table.models_[kLevelNumber] = world::ModelIndex{0};
+// Levels among them are joined to the first.
+void ModelTable::load_models(const assets::Library& library, const std::shared_ptr<const world::Level>& level,
+                             std::span<const std::string> names, std::vector<std::string>& io_notes) {
+  models_.assign(names.size(), stand_in_);
+  models_[kLevelNumber] = world::ModelIndex{0};
   std::vector<std::shared_ptr<const world::Level>> boxes;
   std::vector<std::size_t> box_numbers;
   const auto note = [&](const base::Error& error) {
@@ -84,24 +78,39 @@ base::Result<ModelTable> ModelTable::load(const assets::Library& library, std::s
       box_numbers.push_back(number);
       continue;
     }
-    base::Result<ClientModel> model = load_model(library, *loaded.level, names[number]);
+    base::Result<ClientModel> model = load_model(library, *level, names[number]);
     if (model.ok())
-      table.models_[number] = std::move(model).value();
+      models_[number] = std::move(model).value();
     else
       note(model.error());
   }
-  const world::JoinedLevel joined = world::join_levels(loaded.level, boxes);
-  table.level_ = joined.level;
-  for (std::size_t i = 0; i < boxes.size(); ++i) table.models_[box_numbers[i]] = joined.models[i];
+  const world::JoinedLevel joined = world::join_levels(level, boxes);
+  level_ = joined.level;
+  for (std::size_t i = 0; i < boxes.size(); ++i) models_[box_numbers[i]] = joined.models[i];
+}
 
+// Not every game has all four, and most levels show none: nobody is told of those that are missing.
+void ModelTable::load_beams(const assets::Library& library) {
   for (std::size_t i = 0; i < kBeamPaths.size(); ++i) {
     base::Result<AliasModelPtr> beam = load_alias_model(library, kBeamPaths[i]);
-    // Not every game has all four, and most levels show none: nobody is told.
-    if (beam.ok()) table.beams_[i] = std::move(beam).value();
+    if (beam.ok()) beams_[i] = std::move(beam).value();
   }
+}
+
+base::Result<ModelTable> ModelTable::load(const assets::Library& library, std::span<const std::string> names,
+                                          std::vector<std::string>& io_notes) {
+  if (names.size() <= kLevelNumber)
+    return base::malformed("the server named no level: its list of models is empty");
+  TRY(const assets::LoadedLevel loaded, library.level(names[kLevelNumber]));
+  io_notes.insert(io_notes.end(), loaded.notes.begin(), loaded.notes.end());
+
+  ModelTable table;
+  table.stand_in_ = render::make_alias_model(make_stand_in_model(), "missing model");
+  table.load_models(library, loaded.level, names, io_notes);
+  table.load_beams(library);
   for (const ClientModel& model : table.models_) {
     const auto* alias = std::get_if<AliasModelPtr>(&model);
-    table.flags_.push_back(alias != nullptr && *alias != nullptr ? render::flags_of(**alias) : 0);
+    table.flags_.push_back(alias != nullptr ? render::flags_of(**alias) : 0);
   }
   return table;
 }

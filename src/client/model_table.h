@@ -39,6 +39,10 @@ class ModelTable {
   std::span<const std::uint32_t> flags() const { return flags_; }
 
  private:
+  void load_models(const assets::Library& library, const std::shared_ptr<const world::Level>& level,
+                   std::span<const std::string> names, std::vector<std::string>& io_notes);
+  void load_beams(const assets::Library& library);
+
   std::shared_ptr<const world::Level> level_;
   std::vector<ClientModel> models_;
   std::vector<std::uint32_t> flags_;

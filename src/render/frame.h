@@ -68,12 +68,13 @@ enum class Stage {
   kSprites,
   kParticles,
   kTranslucent,
-  kScreen
+  kScreen,
+  kOverlay
 };
-constexpr std::size_t kStages = 11;
+constexpr std::size_t kStages = 12;
 constexpr std::array<const char*, kStages> kStageNames = {"view",      "visibility",  "edges",  "scan",
                                                           "surfaces",  "spans",       "models", "sprites",
-                                                          "particles", "translucent", "screen"};
+                                                          "particles", "translucent", "screen", "overlay"};
 
 struct StageTimes {
   std::array<double, kStages> ms{};

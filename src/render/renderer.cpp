@@ -194,8 +194,10 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   return stats;
 }
 
-void Renderer::draw_overlay(const DrawList& list, FrameBuffer& io_frame) const {
+void Renderer::draw_overlay(const DrawList& list, FrameBuffer& io_frame, FrameStats& io_stats) const {
+  StageClock clock(io_stats.stages);
   render::draw_overlay(list, state_->colour_tables, io_frame);
+  clock.end(Stage::kOverlay);
 }
 
 void Renderer::pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_t> out_writes) const {

@@ -65,8 +65,8 @@ class Renderer {
 
   // Draws `list` over `io_frame`, command by command. CHECKs that parts lie in their pictures; areas may lie
   // anywhere. Opacity is blended exactly in rgb; in indexed colour it is rounded to a sixteenth, and the
-  // palette's nearest colour is shown.
-  void draw_overlay(const DrawList& list, FrameBuffer& io_frame) const;
+  // palette's nearest colour is shown. The time it takes is added to `io_stats`.
+  void draw_overlay(const DrawList& list, FrameBuffer& io_frame, FrameStats& io_stats) const;
 
   // The last frame's spans, expanded: one entry a pixel, and how often each pixel was written. For tests.
   void pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_t> out_writes) const;

@@ -56,6 +56,7 @@ TEST(BenchProgram, WarmFramesBuildNothingAndAllocateNothing) {
     const json result = bench(folder.path(), {"--color", color, "--threads", "1"});
     EXPECT_EQ(result.at("surfaces_built"), 0) << color;
     EXPECT_EQ(result.at("allocations"), 0) << color;
+    EXPECT_EQ(result.at("allocating_frames"), 0) << color;
   }
 }
 
@@ -83,7 +84,8 @@ TEST(BenchProgram, TextForAPerson) {
   const TemporaryFolder folder;
   const ProgramRun run = run_program(folder.path(), {"bench", "--size", "64x48", "--step", "180", "--cold"});
   EXPECT_EQ(run.exit_status, 0) << run.err;
-  for (const char* word : {"fps", "median", "floors", "cold", "spans", "cycles/pixel", "allocations"})
+  for (const char* word :
+       {"fps", "median", "floors", "cold", "spans", "cycles/pixel", "overlay", "frames allocate"})
     EXPECT_THAT(run.out, HasSubstr(word));
 }
 

@@ -139,6 +139,8 @@ TEST_F(DemoProgram, BenchDrawsEveryPacket) {
   }
   EXPECT_GT(result.at("stages").at("models"), 0);
   EXPECT_GT(result.at("stages").at("client"), 0);
+  EXPECT_GT(result.at("stages").at("overlay"), 0);
+  EXPECT_LT(result.at("allocating_frames"), result.at("frames").get<int>() / 20);
 }
 
 }  // namespace

@@ -147,6 +147,7 @@ TEST(ChildProcess, ProgramThatEndsEarlyIsAnErrorAndNotTheEndOfUs) {
   const base::Status written = process.write(much);
   ASSERT_FALSE(written.ok());
   EXPECT_EQ(written.error().what, "sh failed: enough");
+  EXPECT_TRUE(process.finish().ok()) << "its failure has been told, and no other process is waited for";
 }
 
 TEST(ChildProcess, WhatIsWrittenArrives) {

@@ -2,6 +2,7 @@
 // be read off the frame.
 #include "client/hud.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 #include "assets/stock_pictures.h"
 #include "formats/wad.h"
 #include "render/renderer.h"
+#include "support/allocation_counter.h"
 #include "support/effort.h"
 #include "support/random.h"
 #include "support/temporary_folder.h"
@@ -149,7 +151,8 @@ Drawn draw(const Hud& hud, const Game& game, double time_s, const Size& size = k
   hud.draw(game, time_s, size.width, size.height, settings, drawn.list);
   render::FrameBuffer frame(size.width, size.height, render::PixelFormat::kIndexed);
   std::fill(frame.indexed().begin(), frame.indexed().end(), kNothing);
-  painter().draw_overlay(drawn.list, frame);
+  render::FrameStats stats;
+  painter().draw_overlay(drawn.list, frame, stats);
   drawn.pixels.assign(frame.indexed().begin(), frame.indexed().end());
   return drawn;
 }
@@ -533,6 +536,33 @@ TEST(Hud, SaysThatTheGameIsPaused) {
 }
 
 // Whatever a server says, at any size: drawing it must not end the program.
+TEST(Hud, AllocatesNothingOnceWarm) {
+  Game game;
+  game.data.items = kAllItems;
+  game.level_name = "a name that is longer than a string has room for in itself";
+  game.center_text = game.ending_text =
+      "several\nlines of text, some of them of many more than forty characters";
+  for (int i = 0; i < 255; ++i)
+    game.players.push_back({fmt::format("player number {}", i), static_cast<std::int16_t>(i % 50)});
+  const Hud hud(art().pictures());
+  render::DrawList list;
+  const auto draw_all = [&] {
+    for (const Ending ending : {Ending::kNone, Ending::kIntermission, Ending::kFinale, Ending::kCutScene})
+      for (const std::int32_t health : {0, 100, 999})
+        for (const bool deathmatch : {false, true}) {
+          game.ending = ending;
+          game.stats.fill(health);
+          game.deathmatch = deathmatch;
+          list.clear();
+          hud.draw(game, 1, 640, 480, {}, list);
+        }
+  };
+  draw_all();
+  const std::size_t before = test::allocation_count();
+  draw_all();
+  EXPECT_EQ(test::allocation_count() - before, 0u);
+}
+
 TEST(Hud, WithstandsAnyGame) {
   for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::effort(500, 60)); ++seed) {
     SCOPED_TRACE(seed);

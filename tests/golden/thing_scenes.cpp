@@ -78,7 +78,8 @@ void draw_hud(const client::Game& game, double time_s, render::Renderer& io_rend
   const client::Hud hud(art.pictures);
   render::DrawList list;
   hud.draw(game, time_s, io_frame.width(), io_frame.height(), {}, list);
-  io_renderer.draw_overlay(list, io_frame);
+  render::FrameStats stats;
+  io_renderer.draw_overlay(list, io_frame, stats);
 }
 
 }  // namespace

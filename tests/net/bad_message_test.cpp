@@ -4,9 +4,8 @@
 
 #include <limits>
 
-#include "net/message_reader.h"
+#include "net/dialects.h"
 #include "net/message_text.h"
-#include "net/message_writer.h"
 #include "net/random_message.h"
 #include "support/effort.h"
 #include "support/mutations.h"
@@ -15,6 +14,8 @@ namespace temblor::net {
 namespace {
 
 using base::ErrorCode;
+using test::reader_of;
+using test::written;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
@@ -26,21 +27,6 @@ base::ByteVector bytes_of(std::initializer_list<int> numbers) {
   base::ByteVector bytes;
   for (const int number : numbers) bytes.push_back(static_cast<std::byte>(number));
   return bytes;
-}
-
-base::ByteVector written(const ServerMessage& message, const Dialect& dialect) {
-  base::ByteWriter writer;
-  CHECK(write_message(message, dialect, writer).ok());
-  return std::move(writer).take();
-}
-
-// A reader that a game of this dialect has begun on.
-MessageReader reader_of(const Dialect& dialect) {
-  MessageReader reader;
-  const base::ByteVector begin = written(ServerInfo{.dialect = dialect}, dialect);
-  reader.begin(begin);
-  CHECK(reader.next().ok());
-  return reader;
 }
 
 // Reads the bytes, which are at offset 1000 of a file, to their first error.

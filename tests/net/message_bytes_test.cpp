@@ -4,12 +4,13 @@
 #include <initializer_list>
 #include <limits>
 
-#include "net/message_reader.h"
+#include "net/dialects.h"
 #include "net/message_text.h"
-#include "net/message_writer.h"
 
 namespace temblor::net {
 namespace {
+
+using test::reader_of;
 
 constexpr Dialect k15{};
 constexpr Dialect k666{Protocol::kFitzQuake, 0};
@@ -36,16 +37,6 @@ class Packet {
  private:
   base::ByteWriter writer_;
 };
-
-// A reader that a game of this dialect has begun on.
-MessageReader reader_of(const Dialect& dialect) {
-  MessageReader reader;
-  base::ByteWriter begin;
-  EXPECT_TRUE(write_message(ServerInfo{.dialect = dialect}, dialect, begin).ok());
-  reader.begin(begin.view());
-  EXPECT_TRUE(reader.next().ok());
-  return reader;
-}
 
 void expect_read(const Dialect& dialect, const Packet& packet, const ServerMessage& expected) {
   MessageReader reader = reader_of(dialect);

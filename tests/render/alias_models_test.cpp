@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "render/alias_reference.h"
@@ -256,12 +257,42 @@ TEST(AliasModels, AreTheSameForAnyThreadsBandsAndKernels) {
   }
 }
 
+// In front of the camera, and at least `reach` beyond the level's bounds.
+math::Vec3 place_outside(const math::Bounds& level, const render::Camera& camera, float reach,
+                         Random& random) {
+  const math::Basis axes = math::basis_from_angles(camera.angles_deg);
+  while (true) {
+    const double distance = random.log_uniform(200, 4000);
+    const math::Vec3 place =
+        camera.origin_world + math::Vec3(axes.forward * distance) + random.in_cube(0.5 * distance);
+    for (int axis = 0; axis < 3; ++axis)
+      if (place[axis] - reach > level.maxs[axis] || place[axis] + reach < level.mins[axis]) return place;
+  }
+}
+
+// How many of the models show each by itself, when they and the camera are moved far above the level.
+int count_shown_without_walls(render::Renderer& io_renderer, render::Scene scene) {
+  const math::Vec3 far_above(0, 0, 20000);
+  scene.camera.origin_world += far_above;
+  const std::span<const render::AliasInstance> instances = scene.alias_models;
+  scene.alias_models = {};
+  const FrameCopy without = copy_of(drawn(io_renderer, scene, {}, render::PixelFormat::kRgb));
+  int shown = 0;
+  for (render::AliasInstance instance : instances) {
+    instance.origin_world += far_above;
+    scene.alias_models = {&instance, 1};
+    const FrameCopy with = copy_of(drawn(io_renderer, scene, {}, render::PixelFormat::kRgb));
+    shown += differing_pixels(with, without) > 0;
+  }
+  return shown;
+}
+
 TEST(AliasModels, BehindAWallNeverShow) {
   const DrawableLevel drawable = small_level();
   render::Renderer renderer(drawable.palette, drawable.colormap);
   const math::Bounds& level_bounds = drawable.level->world().bounds;
   PopulatedScene populated = populate(*drawable.level, 1);
-  int placements = 0;
+  int placements = 0, shown_without_walls = 0;
   for (int seed = 0; seed < effort(50, 5); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     populated.viewpoint.camera = random_camera(*drawable.level, random);
@@ -269,13 +300,8 @@ TEST(AliasModels, BehindAWallNeverShow) {
     // The level is a body closed all round: beyond its bounds all that can be seen is walls.
     while (populated.instances.size() < 20) {
       render::AliasInstance instance = random_look(populated, random);
-      const double reach = 64.0 * std::sqrt(3.0) * instance.scale + 1;
-      const int axis = static_cast<int>(random.below(3));
-      instance.origin_world = random.in_cube(1500);
-      instance.origin_world[axis] =
-          random.chance(0.5)
-              ? level_bounds.maxs[axis] + static_cast<float>(reach + random.log_uniform(1, 500))
-              : level_bounds.mins[axis] - static_cast<float>(reach + random.log_uniform(1, 500));
+      const float reach = 64 * std::sqrt(3.0f) * instance.scale + 1;
+      instance.origin_world = place_outside(level_bounds, populated.viewpoint.camera, reach, random);
       populated.instances.push_back(instance);
       ++placements;
     }
@@ -289,8 +315,10 @@ TEST(AliasModels, BehindAWallNeverShow) {
       scene.alias_models = populated.instances;
       ASSERT_EQ(differing_pixels(with, without), 0u) << "seed " << seed;
     }
+    shown_without_walls += count_shown_without_walls(renderer, scene);
   }
   EXPECT_GE(placements, effort(1000, 100));
+  EXPECT_GE(shown_without_walls, placements / 2) << "the walls hide little";
 }
 
 // Wherever the camera stands, whatever its field of view: the same pixels of the weapon.

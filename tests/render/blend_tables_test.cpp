@@ -2,24 +2,23 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <random>
+#include <span>
+#include <thread>
+#include <vector>
 
 #include "support/game_data.h"
+#include "support/some_colours.h"
 
 namespace temblor::render {
 namespace {
 
-constexpr int kFirstFullbright = 224;
+using test::random_palette;
 
-formats::Palette random_palette(unsigned seed) {
-  std::mt19937 random(seed);
-  formats::Palette palette;
-  for (formats::Rgb& colour : palette)
-    colour = {static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
-              static_cast<std::uint8_t>(random())};
-  return palette;
-}
+constexpr int kFirstFullbright = 224;
 
 int distance(formats::Rgb a, formats::Rgb b) {
   const int r = a.r - b.r, g = a.g - b.g, blue = a.b - b.b;
@@ -81,6 +80,31 @@ TEST(BlendTables, TakeTheNearestStep) {
   EXPECT_EQ(tables.table_for(0.51f), tables.table_for(0.5f));
   EXPECT_EQ(tables.table_for(0.49f), tables.table_for(0.5f));
   EXPECT_NE(tables.table_for(0.54f), tables.table_for(0.5f));
+}
+
+// All tables are asked for by several threads at once, in different orders.
+TEST(BlendTables, AreWorkedOutOnceForAllThreads) {
+  const formats::Palette palette = random_palette(11);
+  const PaletteMatch match(palette, kFirstFullbright);
+  const BlendTables tables(palette, match), alone(palette, match);
+  const auto table_of = [](const BlendTables& of, int step) {
+    return std::span(of.table_for(static_cast<float>(step) / 16), 256 * 256);
+  };
+  std::array<std::array<std::uint8_t, 16>, 4> last{};
+  std::vector<std::thread> threads;
+  for (std::size_t number = 0; number < last.size(); ++number)
+    threads.emplace_back([&, number] {
+      for (int i = 0; i < 15; ++i) {
+        const int step = 1 + (i * 7 + static_cast<int>(number) * 4) % 15;
+        last[number][static_cast<std::size_t>(step)] = table_of(tables, step).back();
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  for (int step = 1; step < 16; ++step) {
+    ASSERT_TRUE(std::ranges::equal(table_of(tables, step), table_of(alone, step))) << step;
+    for (const auto& seen : last)
+      EXPECT_EQ(seen[static_cast<std::size_t>(step)], table_of(alone, step).back()) << step;
+  }
 }
 
 // What stands for "clear" elsewhere, and colours that shine in the dark, do not come of others.

@@ -13,22 +13,10 @@
 #include "render/renderer.h"
 #include "support/effort.h"
 #include "support/random.h"
+#include "support/some_colours.h"
 
 namespace temblor::test {
 namespace {
-
-formats::Palette random_palette() {
-  Random random(1);
-  formats::Palette palette;
-  for (formats::Rgb& colour : palette)
-    colour = {static_cast<std::uint8_t>(random.bits()), static_cast<std::uint8_t>(random.bits()),
-              static_cast<std::uint8_t>(random.bits())};
-  return palette;
-}
-const render::ColourTables& some_tables() {
-  static const render::ColourTables tables = render::make_colour_tables(random_palette(), {});
-  return tables;
-}
 
 // A third of it transparent.
 formats::Picture random_picture(Random& random) {
@@ -150,14 +138,16 @@ TEST(DrawOverlay, PutsEveryPixelWhereItBelongs) {
 }
 
 TEST(DrawOverlay, DrawsInOrderThroughTheRenderer) {
-  const render::Renderer renderer(random_palette(), {});
+  const render::Renderer renderer(random_palette(1), {});
   render::FrameBuffer frame(8, 1, render::PixelFormat::kIndexed);
   std::fill(frame.indexed().begin(), frame.indexed().end(), std::uint8_t{9});
   const formats::Picture picture{2, 1, {3, 255}};
   const render::DrawList list{{{.area = {0, 0, 6, 1}, .fill = 1},
                                {.picture = &picture, .area = {2, 0, 4, 2}, .scale = 2},
                                {.area = {3, 0, 1, 1}, .fill = 5}}};
-  renderer.draw_overlay(list, frame);
+  render::FrameStats stats;
+  renderer.draw_overlay(list, frame, stats);
+  EXPECT_GT(stats.stages.ms[static_cast<std::size_t>(render::Stage::kOverlay)], 0.0);
   EXPECT_EQ(std::vector<std::uint8_t>(frame.indexed().begin(), frame.indexed().end()),
             (std::vector<std::uint8_t>{1, 1, 3, 5, 1, 1, 9, 9}));
 }

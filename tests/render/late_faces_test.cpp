@@ -70,7 +70,7 @@ TEST(FaceOpacity, GoesByTheTexturesName) {
 class Scanner {
  public:
   Scanner(const world::Level& level, const Viewpoint& viewpoint, int width, int height)
-      : level_(level), scene_(viewpoint.scene(level)), outlines_(render::make_face_outlines(level)) {
+      : scene_(viewpoint.scene(level)), outlines_(render::make_face_outlines(level)) {
     view_ = render::make_view_frame(scene_, width, height);
     opacities_.resize(level.textures.size());
   }
@@ -102,7 +102,6 @@ class Scanner {
   const render::ViewFrame& view() const { return view_; }
 
  private:
-  const world::Level& level_;
   render::Scene scene_;
   render::ViewFrame view_;
   render::FaceOutlines outlines_;

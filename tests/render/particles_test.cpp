@@ -14,6 +14,8 @@
 #include "support/effort.h"
 #include "support/frames.h"
 #include "support/random.h"
+#include "support/some_colours.h"
+#include "support/view_by_hand.h"
 
 namespace temblor::test {
 namespace {
@@ -29,32 +31,6 @@ struct Cloud {
   }
   render::ParticleCloud view() const { return {x, y, z, colour}; }
 };
-
-// The focal length of docs/architecture.md, section 1.
-render::ViewFrame view_of(int width, int height, double fov_deg, const math::Vec3& angles_deg,
-                          const math::Vec3d& eye) {
-  render::ViewFrame view;
-  view.width = width;
-  view.height = height;
-  view.eye_world = eye;
-  view.axes = math::basis_from_angles(angles_deg);
-  view.pixels_per_unit = std::min(width * 1.0, height * 4.0 / 3) / 2 / std::tan(fov_deg * M_PI / 360);
-  view.centre_x = width / 2.0 - 0.5;
-  view.centre_y = height / 2.0 - 0.5;
-  return view;
-}
-
-const render::ColourTables& some_tables() {
-  static const render::ColourTables tables = [] {
-    Random random(1);
-    formats::Palette palette;
-    for (formats::Rgb& colour : palette)
-      colour = {static_cast<std::uint8_t>(random.bits()), static_cast<std::uint8_t>(random.bits()),
-                static_cast<std::uint8_t>(random.bits())};
-    return render::make_colour_tables(palette, {});
-  }();
-  return tables;
-}
 
 struct Square {
   double left, top, side, depth;

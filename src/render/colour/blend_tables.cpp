@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <vector>
 
 namespace temblor::render {
 
@@ -27,25 +28,33 @@ PaletteMatch::PaletteMatch(const formats::Palette& palette, int first_fullbright
            indices_below(first_fullbright > 0 ? std::min(first_fullbright, int{kClear}) : int{kClear})),
       any_(palette, indices_below(kClear)) {}
 
-// What a lies over b at n sixteenths is what b lies over a at 16 - n: half of the tables are the others,
-// mirrored.
-BlendTables::BlendTables(const formats::Palette& palette, const PaletteMatch& match)
-    : tables_((kSteps - 1) * kTableSize) {
-  for (int step = 1; step <= kSteps / 2; ++step) {
-    std::uint8_t* const table = tables_.data() + static_cast<std::size_t>(step - 1) * kTableSize;
-    std::uint8_t* const mirror = tables_.data() + static_cast<std::size_t>(kSteps - step - 1) * kTableSize;
-    for (std::size_t over = 0; over < 256; ++over)
-      for (std::size_t under = 0; under < 256; ++under) {
-        const bool fullbright = match.is_fullbright(over) || match.is_fullbright(under);
-        const formats::Rgb mean = blend_colours(palette[over], palette[under], step * (kOpaque256 / kSteps));
-        table[over * 256 + under] = mirror[under * 256 + over] = match(mean, fullbright);
-      }
-  }
+BlendTables::Tables::Tables(const formats::Palette& of_palette, const PaletteMatch& of_match)
+    : palette(of_palette),
+      match(of_match),
+      bytes(std::make_unique_for_overwrite<std::uint8_t[]>((kSteps - 1) * kTableSize)) {}
+
+// What a lies over b at n sixteenths is what b lies over a at 16 - n: one table is the other, mirrored.
+void BlendTables::Tables::make_pair(int step) {
+  std::uint8_t* const table = bytes.get() + static_cast<std::size_t>(step - 1) * kTableSize;
+  std::uint8_t* const mirror = bytes.get() + static_cast<std::size_t>(kSteps - step - 1) * kTableSize;
+  for (std::size_t over = 0; over < 256; ++over)
+    for (std::size_t under = 0; under < 256; ++under) {
+      const bool fullbright = match.is_fullbright(over) || match.is_fullbright(under);
+      const formats::Rgb mean = blend_colours(palette[over], palette[under], step * (kOpaque256 / kSteps));
+      table[over * 256 + under] = mirror[under * 256 + over] = match(mean, fullbright);
+    }
 }
 
+BlendTables::BlendTables(const formats::Palette& palette, const PaletteMatch& match)
+    : tables_(std::make_unique<Tables>(palette, match)) {}
+
 const std::uint8_t* BlendTables::table_for(float opacity) const {
-  const int step = (opacity_256(opacity) + kOpaque256 / kSteps / 2) / (kOpaque256 / kSteps);
-  return tables_.data() + static_cast<std::size_t>(std::clamp(step, 1, kSteps - 1) - 1) * kTableSize;
+  const int nearest = (opacity_256(opacity) + kOpaque256 / kSteps / 2) / (kOpaque256 / kSteps);
+  const int step = std::clamp(nearest, 1, kSteps - 1);
+  const int pair = std::min(step, kSteps - step);
+  std::call_once(tables_->pair_is_made[static_cast<std::size_t>(pair - 1)],
+                 [&] { tables_->make_pair(pair); });
+  return tables_->bytes.get() + static_cast<std::size_t>(step - 1) * kTableSize;
 }
 
 const std::uint8_t* FogTables::rows_for(const math::Vec3& colour, const formats::Palette& palette,

@@ -7,8 +7,9 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <optional>
-#include <vector>
 
 #include "formats/palette.h"
 #include "math/vec.h"
@@ -56,18 +57,29 @@ class PaletteMatch {
   NearestColour lit_, any_;
 };
 
-// A table for each sixteenth of opacity, 1 to 15: 960 KiB.
+// A table for each sixteenth of opacity, 1 to 15: 64 KiB each, worked out when it is first asked for, since
+// that takes milliseconds and few are ever needed.
 class BlendTables {
  public:
   static constexpr int kSteps = 16;
   BlendTables(const formats::Palette& palette, const PaletteMatch& match);
 
   // What shows of index `over`, at that opacity, before index `under`: table[over * 256 + under]. The
-  // nearest of the steps; never wholly clear or opaque, which callers need no table for.
+  // nearest of the steps; never wholly clear or opaque, which callers need no table for. Several threads may
+  // ask at once; no heap is used. Tables stay where they are, also when this is moved.
   const std::uint8_t* table_for(float opacity) const;
 
  private:
-  std::vector<std::uint8_t> tables_;  // one after another
+  struct Tables {
+    Tables(const formats::Palette& of_palette, const PaletteMatch& of_match);
+    void make_pair(int step);
+
+    formats::Palette palette;
+    PaletteMatch match;
+    std::unique_ptr<std::uint8_t[]> bytes;                // one after another
+    std::array<std::once_flag, kSteps / 2> pair_is_made;  // of a step, from 1, and its mirror
+  };
+  std::unique_ptr<Tables> tables_;
 };
 
 // What fog leaves of each colour, by its share of the pixel: `kRows` rows of 256, row r for r / (kRows - 1).

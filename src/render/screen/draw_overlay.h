@@ -1,4 +1,4 @@
-// A DrawList to pixels: pictures and rectangles over the finished view.
+// Stage 11. A DrawList -> pixels: pictures and rectangles over the finished view.
 #pragma once
 
 #include "render/colour/colour_tables.h"

@@ -76,7 +76,7 @@ class Translucent {
   void draw_sprite(const SpriteInstance& sprite) {
     const std::optional<SpriteQuad> quad = make_sprite_quad(target_.view, sprite);
     if (!quad) return;
-    const SpriteBlend blend{target_.tables.blends.table_for(sprite.alpha), opacity_256(sprite.alpha)};
+    const SpriteBlend blend{blend_table(sprite.alpha), opacity_256(sprite.alpha)};
     draw_sprite_instance(*quad, blend, target_.tables, settings_.vector_kernels, {0, frame_.height()},
                          frame_);
   }
@@ -86,6 +86,11 @@ class Translucent {
   }
 
  private:
+  // Null: none is needed.
+  const std::uint8_t* blend_table(float alpha) const {
+    return frame_.format() == PixelFormat::kIndexed ? target_.tables.blends.table_for(alpha) : nullptr;
+  }
+
   void merge_row(const AliasPicture& picture, int number, float alpha) {
     const bool indexed = frame_.format() == PixelFormat::kIndexed;
     const std::size_t first = static_cast<std::size_t>(number) * picture.stride;
@@ -103,7 +108,7 @@ class Translucent {
     row.z = frame_.depth().data() + pixel;
     row.count = picture.width;
     row.nearer = 1;
-    row.table = target_.tables.blends.table_for(alpha);
+    row.table = blend_table(alpha);
     row.opacity_256 = opacity_256(alpha);
     if (indexed)
       settings_.vector_kernels ? merge_blend_u8_vector(row) : merge_blend_u8_plain(row);

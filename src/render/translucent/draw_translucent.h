@@ -1,4 +1,4 @@
-// Stage 10. Everything that is translucent, from back to front: late faces, and models and sprites among
+// Stage 9. Everything that is translucent, from back to front: late faces, and models and sprites among
 // them.
 #pragma once
 

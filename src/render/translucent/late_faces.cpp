@@ -90,7 +90,7 @@ class BandDrawing {
     row.nearer = target_.view.perspective ? 1 + kTouching : 1 - kTouching;
     row.has_holes = face.opacity.has_holes;
     if (blends) {
-      row.table = target_.tables.blends.table_for(face.opacity.opacity);
+      if (indexed) row.table = target_.tables.blends.table_for(face.opacity.opacity);
       row.opacity_256 = opacity_256(face.opacity.opacity);
     }
     merge(row, blends, indexed);

@@ -1,4 +1,4 @@
-// Stage 7 and 10. Late faces (view/face_opacity.h) -> pixels, one face at a time, tested against depth: first
+// Stage 9. Late faces (view/face_opacity.h) -> pixels, one face at a time, tested against depth: first
 // those that are opaque but for their holes, before models; then, when all that is opaque is there, the
 // translucent ones from back to front.
 #pragma once

@@ -1,0 +1,16 @@
+// Colours for tests to which any will do.
+#pragma once
+
+#include <cstdint>
+
+#include "formats/palette.h"
+#include "render/colour/colour_tables.h"
+
+namespace temblor::test {
+
+formats::Palette random_palette(std::uint64_t seed);
+
+// Of a random palette, with a colormap of zeros; the same in every call.
+const render::ColourTables& some_tables();
+
+}  // namespace temblor::test
