@@ -61,7 +61,7 @@ base::Status render_demo(const RenderOptions& options, const GameFolders& folder
   TRY(DemoRun run, DemoRun::start(demo, options.frame, presentation, settings));
   TRY(Film film,
       Film::open(options.out, {options.frame.size, options.frames_per_second, first}, demo.look.palette));
-  const base::Status played = film_frames(run, options, length.first_time_s, {first, end}, film);
+  base::Status played = film_frames(run, options, length.first_time_s, {first, end}, film);
   // What came before a fault is kept.
   TRY_STATUS(film.finish());
   if (!played.ok()) return played;
