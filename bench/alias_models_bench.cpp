@@ -17,6 +17,7 @@ namespace temblor::bench {
 namespace {
 
 constexpr int kWidth = 1920, kHeight = 1080;
+constexpr int kBandRows = 64;  // as in whole frames
 constexpr int kColumns = 10, kRows = 10;
 constexpr double kShareOfPicture = 0.2;
 constexpr std::int64_t kFifthSide = 102;
@@ -67,7 +68,11 @@ void draw_models(benchmark::State& state, render::PixelFormat format, render::Se
   // What is drawn again is as near as what is there, and so shows.
   for (auto _ : state) {
     arena.reset();
-    render::draw_alias_models(scene, settings, view, kHeight, tables, jobs, arena, job_arenas, frame);
+    const std::span<const render::PreparedAlias> models =
+        render::prepare_alias_models(scene, settings, view, tables, format, jobs, arena, job_arenas);
+    for (int row = 0; row < kHeight; row += kBandRows)
+      render::draw_alias_models(models, settings.vector_kernels, {row, std::min(row + kBandRows, kHeight)},
+                                frame);
     benchmark::ClobberMemory();
   }
   const auto pixels =

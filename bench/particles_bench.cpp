@@ -44,6 +44,9 @@ render::ViewFrame straight_view() {
   return view;
 }
 
+// As in whole frames.
+constexpr int kBandRows = 64;
+
 // Depth is refilled outside the timing, so that no run finds the last one's particles.
 template <render::PixelFormat kFormat, bool kVectorKernels>
 void draw_particles(benchmark::State& state) {
@@ -61,7 +64,10 @@ void draw_particles(benchmark::State& state) {
     arena.reset();
     std::fill(frame.depth().begin(), frame.depth().end(), 1.0f / 1024);
     state.ResumeTiming();
-    render::draw_particles(scene, {.vector_kernels = kVectorKernels}, view, tables, jobs, arena, frame);
+    const render::ParticleBands bands = render::place_particles(
+        scene, {.vector_kernels = kVectorKernels}, view, kBandRows, tables, kFormat, jobs, arena);
+    for (std::size_t band = 0; band < bands.rects.size(); ++band)
+      render::draw_particles(bands, band, kVectorKernels, frame);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * 10'000);

@@ -24,17 +24,33 @@ base::Result<DemoRun> DemoRun::start(const LoadedDemo& demo, const FrameOptions&
   return run;
 }
 
+math::Vec3 DemoRun::view_angles_deg() const {
+  return player_.view_angles_at(player_.server_time_s(),
+                                {.interpolate = presentation_settings_.interpolate, .no_lerp_models = {}});
+}
+
 base::Status DemoRun::present() {
-  const double time_s = player_.server_time_s();
-  const math::Vec3 angles_deg = player_.view_angles_at(
-      time_s, {.interpolate = presentation_settings_.interpolate, .no_lerp_models = {}});
-  TRY_STATUS(presentation_->advance(player_.state(), time_s, angles_deg, presentation_settings_));
+  TRY_STATUS(presentation_->advance(player_.state(), player_.server_time_s(), view_angles_deg(),
+                                    presentation_settings_));
   overlay_ =
       &presentation_->draw_list(player_.state(), frame_.width(), frame_.height(), presentation_settings_);
   return base::Ok{};
 }
 
+base::Status DemoRun::pass() {
+  return presentation_->pass(player_.state(), player_.server_time_s(), view_angles_deg(),
+                             presentation_settings_);
+}
+
+// Every packet between is lived through from its beginning to its end.
 base::Result<bool> DemoRun::advance_to(double time_s) {
+  while (player_.packet_time_s() < time_s) {
+    TRY_STATUS(player_.advance_to(player_.packet_time_s()));
+    TRY_STATUS(pass());
+    TRY(const bool goes_on, player_.begin_packet());
+    if (!goes_on) break;
+    TRY_STATUS(pass());
+  }
   TRY(const bool goes_on, player_.advance_to(time_s));
   TRY_STATUS(present());
   return goes_on;

@@ -20,12 +20,15 @@ class DemoRun {
                                      const client::PresentationSettings& presentation,
                                      const render::Settings& settings);
 
-  // Plays on to `time_s` of the recording's clock. False: the recording has ended.
+  // Plays on to `time_s` of the recording's clock. False: the recording has ended. What happens on the way
+  // does so at its own time, however long the way is.
   base::Result<bool> advance_to(double time_s);
   // Plays on by one packet, to its time.
   base::Result<bool> advance_by_packet();
 
-  // Draws what the last advance led to, with everything on it.
+  // What the last advance led to. Valid until the next one.
+  const render::Scene& scene() const { return presentation_->scene(); }
+  // Draws it, with everything on it.
   render::FrameStats draw();
   const render::FrameBuffer& frame() const { return frame_; }
   render::FrameBuffer& frame() { return frame_; }
@@ -34,7 +37,9 @@ class DemoRun {
  private:
   DemoRun(const LoadedDemo& demo, client::DemoPlayer player, const FrameOptions& frame,
           const client::PresentationSettings& presentation, const render::Settings& settings);
+  math::Vec3 view_angles_deg() const;
   base::Status present();
+  base::Status pass();
 
   client::DemoPlayer player_;
   std::unique_ptr<client::Presentation> presentation_;  // parts of it refer to one another

@@ -27,9 +27,9 @@ std::string describe_frame(const render::FrameStats& stats, std::size_t pixels) 
     fmt::format_to(out, "{:<10}{:>8.3f} ms  {:>8.2f} cycles/pixel\n", name, ms, cycles / pixel_count);
   };
   for (std::size_t stage = 0; stage < render::kStages; ++stage)
-    stage_line(render::kStageNames[stage], stats.stage_ms[stage], stats.stage_cycles[stage]);
-  stage_line("total", std::accumulate(stats.stage_ms.begin(), stats.stage_ms.end(), 0.0),
-             std::accumulate(stats.stage_cycles.begin(), stats.stage_cycles.end(), 0.0));
+    stage_line(render::kStageNames[stage], stats.stages.ms[stage], stats.stages.cycles[stage]);
+  stage_line("total", std::accumulate(stats.stages.ms.begin(), stats.stages.ms.end(), 0.0),
+             std::accumulate(stats.stages.cycles.begin(), stats.stages.cycles.end(), 0.0));
   return text;
 }
 

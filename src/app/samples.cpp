@@ -21,8 +21,8 @@ void Samples::add(const render::FrameStats& stats) {
   triangles.push_back(stats.triangles);
   particles.push_back(stats.particles);
   for (std::size_t stage = 0; stage < render::kStages; ++stage) {
-    stage_ms[stage] += stats.stage_ms[stage];
-    stage_cycles[stage] += stats.stage_cycles[stage];
+    stage_ms[stage] += stats.stages.ms[stage];
+    stage_cycles[stage] += stats.stages.cycles[stage];
   }
 }
 

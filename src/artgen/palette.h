@@ -9,22 +9,23 @@
 namespace temblor::artgen {
 
 // 14 ramps of 16 colours, each from dark (0) to bright (15), then two full-bright ramps. Index 0 is black;
-// 255 is the colour of transparent texels.
+// 255 is the colour of transparent texels. The game's effects name their colours by index, as the original's
+// palette has them: ramp 4 is blood, 6 the fire of explosions, 9 has the drops of a spawn's, 14 lava.
 enum class Ramp : std::uint8_t {
   kGrey,
   kBrown,
   kBrick,
   kSand,
-  kRust,
+  kRed,
   kOlive,
-  kGreen,
+  kGold,
   kTeal,
   kBlue,
-  kSlate,
   kPurple,
-  kRed,
+  kSlate,
+  kRust,
   kSkin,
-  kGold,
+  kGreen,
   kFire,      // full-bright
   kElectric,  // full-bright
 };

@@ -63,6 +63,13 @@ base::Result<bool> DemoPlayer::read_packet() {
   return !has_ended_;
 }
 
+base::Result<bool> DemoPlayer::begin_packet() {
+  TRY(const bool goes_on, read_packet());
+  const PacketWindow window = packet_window(state_.previous_time_s(), state_.time_s());
+  server_time_s_ = std::min(window.begin_s, window.end_s);
+  return goes_on;
+}
+
 base::Result<bool> DemoPlayer::read_record() {
   if (has_ended_) return false;
   auto read = play_record();

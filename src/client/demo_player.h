@@ -47,6 +47,10 @@ class DemoPlayer {
   // Reads one record, whatever its time, as for measuring; through the beginning of a level as above.
   base::Result<bool> read_packet();
 
+  // The same, but what it shows is the beginning of what was read: the moment at which advance_to() in small
+  // steps would come to it.
+  base::Result<bool> begin_packet();
+
   // The moment to show, on the server's clock: for state(), view angles, light styles and all the rest. It is
   // between the last two packets' times.
   double server_time_s() const { return server_time_s_; }

@@ -11,7 +11,7 @@ namespace temblor::client {
 // splitmix64.
 class EffectRandom {
  public:
-  explicit EffectRandom(std::uint32_t seed) : state_(seed) {}
+  explicit EffectRandom(std::uint64_t seed) : state_(seed) {}
 
   // In [0, count); count > 0.
   std::uint32_t below(std::uint32_t count) {

@@ -95,18 +95,22 @@ float rotated_yaw_deg(double time_s) {
 }
 
 struct Effects::State {
-  explicit State(std::uint32_t seed) : random(seed) {}
+  explicit State(std::uint32_t seed_of_all) : seed(seed_of_all), trails(seed_of_all) {}
 
   void clear();
   void happen(const Events& events, const Moment& moment, bool leave_marks);
+  EffectRandom next_chance() { return EffectRandom(base::hash_with(seed, ++event_count)); }
   void begin(const TempEntity& what, const Moment& moment);
+  void begin(const net::Particles& what, const Moment& moment);
   void mark(std::optional<Hit> hit, const Moment& moment);
   void go_on(const Moment& moment);
   void leave_trail(const SeenEntity& entity, TrailKind kind, double time_s);
   void shine(const SeenEntity& entity, bool rocket, double time_s);
   std::optional<Beams::Held> held_beam(const Moment& moment) const;
 
-  EffectRandom random;
+  std::uint32_t seed;
+  // Each event has a chance of its own, which does not depend on what moments were looked at before it.
+  std::uint32_t event_count = 0;
   ParticlePool particles;
   Trails trails;
   DynamicLights lights;
@@ -127,21 +131,27 @@ void Effects::State::clear() {
 }
 
 void Effects::State::happen(const Events& events, const Moment& moment, bool leave_marks) {
-  const BurstContext burst{particles, random, moment.time_s};
   for (const TempEntity& what : events.temp_entities) {
     begin(what, moment);
     if (leave_marks) mark(hit_of(what), moment);
   }
   for (const net::Particles& what : events.particles) {
-    if (what.count == kCountOfExplosion)
-      burst_explosion(burst, what.origin);
-    else
-      burst_chips(burst, what.origin, what.direction, what.colour, what.count);
+    begin(what, moment);
     if (leave_marks) mark(hit_of(what), moment);
   }
 }
 
+void Effects::State::begin(const net::Particles& what, const Moment& moment) {
+  EffectRandom random = next_chance();
+  const BurstContext burst{particles, random, moment.time_s};
+  if (what.count == kCountOfExplosion)
+    burst_explosion(burst, what.origin);
+  else
+    burst_chips(burst, what.origin, what.direction, what.colour, what.count);
+}
+
 void Effects::State::begin(const TempEntity& what, const Moment& moment) {
+  EffectRandom random = next_chance();
   const BurstContext burst{particles, random, moment.time_s};
   const LightBirth flash{.origin_world = what.origin,
                          .radius = 350,
@@ -189,8 +199,7 @@ void Effects::State::go_on(const Moment& moment) {
         entity.model < moment.model_flags.size() ? moment.model_flags[entity.model] : 0;
     const std::optional<TrailKind> trail = trail_kind(flags);
     if (trail) leave_trail(entity, *trail, moment.time_s);
-    if (entity.effects & kEffectBrightField)
-      show_bright_field({particles, random, moment.time_s}, entity.origin_world);
+    if (entity.effects & kEffectBrightField) show_bright_field(particles, moment.time_s, entity.origin_world);
     shine(entity, trail == TrailKind::kRocket, moment.time_s);
   }
 }
@@ -198,7 +207,7 @@ void Effects::State::go_on(const Moment& moment) {
 void Effects::State::leave_trail(const SeenEntity& entity, TrailKind kind, double time_s) {
   trails.leave({entity.number, kind, entity.previous_origin_world, entity.origin_world,
                 last_time_s.value_or(time_s), time_s},
-               random, particles);
+               particles);
 }
 
 // An entity has one light: a later one of these takes the place of an earlier.

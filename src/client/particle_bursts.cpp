@@ -122,22 +122,22 @@ void burst_lava_splash(const BurstContext& context, const math::Vec3& origin_wor
     }
 }
 
-void show_bright_field(const BurstContext& context, const math::Vec3& origin_world) {
+void show_bright_field(ParticlePool& io_pool, double time_s, const math::Vec3& origin_world) {
   constexpr std::size_t kCount = 162;
   constexpr double kRadius = 64, kWander = 16;
   constexpr double kFastest = 2.55;  // radians a second
   for (std::size_t i = 0; i < kCount; ++i) {
     // Each wanders at a pace of its own, always the same.
     const std::uint64_t own = base::hash_with(0, i);
-    const double yaw = context.time_s * kFastest * static_cast<double>(own & 255) / 255;
-    const double pitch = context.time_s * kFastest * static_cast<double>(own >> 8 & 255) / 255;
+    const double yaw = time_s * kFastest * static_cast<double>(own & 255) / 255;
+    const double pitch = time_s * kFastest * static_cast<double>(own >> 8 & 255) / 255;
     const math::Vec3d wander{std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw),
                              -std::sin(pitch)};
     ParticleBirth birth;
     birth.origin_world = origin_world + math::Vec3(on_ball(i, kCount) * kRadius + wander * kWander);
-    birth.born_s = context.time_s;
+    birth.born_s = time_s;
     birth.colour = 0x6f;
-    context.pool.add(birth);
+    io_pool.add(birth);
   }
 }
 

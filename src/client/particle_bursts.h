@@ -30,6 +30,6 @@ void burst_lava_splash(const BurstContext& context, const math::Vec3& origin_wor
 
 // Not a burst but a cloud for as long as it is asked for: 162 particles that wander on and around a ball of
 // 64 units, where they are at this moment.
-void show_bright_field(const BurstContext& context, const math::Vec3& origin_world);
+void show_bright_field(ParticlePool& io_pool, double time_s, const math::Vec3& origin_world);
 
 }  // namespace temblor::client

@@ -36,12 +36,6 @@ base::Status Presentation::begin_level(const Game& game, const PresentationSetti
   return base::Ok{};
 }
 
-// The scene's light, before the next one takes its place.
-void Presentation::keep_light() {
-  lights_before_.assign(scene_.lights.begin(), scene_.lights.end());
-  light_before_ = {lights_before_, scene_.light_styles};
-}
-
 void Presentation::apply_environment(const Game& game, double time_s, const PresentationSettings& settings) {
   scene_.liquid_alpha = environment_.liquid_alpha(settings.liquid_alpha);
   if (settings.fog) {
@@ -57,15 +51,12 @@ void Presentation::apply_environment(const Game& game, double time_s, const Pres
   scene_.skybox = settings.skybox && !skybox_name_.empty() ? &skybox_ : nullptr;
 }
 
-base::Status Presentation::advance(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
-                                   const PresentationSettings& settings) {
+// Lets time pass up to that moment.
+Presentation::Sight Presentation::look(ClientState& io_state, double time_s,
+                                       const math::Vec3& view_angles_deg,
+                                       const PresentationSettings& settings) {
   const Game& game = io_state.game();
-  if (io_state.events().new_level) TRY_STATUS(begin_level(game, settings));
-  if (!models_) return base::Ok{};
-
   client_settings_.interpolate = settings.interpolate;
-  keep_light();
-  const bool is_first_scene = scene_.level == nullptr;
   const std::span<const SeenEntity> entities = io_state.entities_at(time_s, client_settings_);
   const world::Level& level = *models_->level();
   effects_.advance(io_state.events(), {level, time_s, entities, models_->flags(), game.view_entity},
@@ -73,15 +64,39 @@ base::Status Presentation::advance(ClientState& io_state, double time_s, const m
   const ViewMoment moment{time_s, view_angles_deg, find_entity(entities, game.view_entity), level};
   const PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
   hud_.advance(game, io_state.events(), time_s);
+  time_s_ = time_s;
+  io_state.events().clear();
+  return {entities, view};
+}
+
+void Presentation::make_scene(const ClientState& state, double time_s, const Sight& sight,
+                              const PresentationSettings& settings) {
+  const Game& game = state.game();
+  const bool is_first_scene = scene_.level == nullptr;
+  lights_before_.swap(lights_);
+  light_before_ = {lights_before_, scene_.light_styles};
   scene_ = scene_builder_.build(
-      {*models_, game, entities, effects_, view, io_state.weapon_frame_at(time_s, client_settings_), time_s,
-       settings.show_weapon && game.ending == Ending::kNone},
+      {*models_, game, sight.entities, effects_, sight.view, state.weapon_frame_at(time_s, client_settings_),
+       time_s, settings.show_weapon && game.ending == Ending::kNone},
       notes_);
+  lights_.assign(scene_.lights.begin(), scene_.lights.end());
   scene_.frame_number = ++frame_number_;
   scene_.light_before = is_first_scene ? nullptr : &light_before_;
   apply_environment(game, time_s, settings);
-  time_s_ = time_s;
-  io_state.events().clear();
+}
+
+base::Status Presentation::advance(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
+                                   const PresentationSettings& settings) {
+  if (io_state.events().new_level) TRY_STATUS(begin_level(io_state.game(), settings));
+  if (!models_) return base::Ok{};
+  make_scene(io_state, time_s, look(io_state, time_s, view_angles_deg, settings), settings);
+  return base::Ok{};
+}
+
+base::Status Presentation::pass(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
+                                const PresentationSettings& settings) {
+  if (io_state.events().new_level) TRY_STATUS(begin_level(io_state.game(), settings));
+  if (models_) look(io_state, time_s, view_angles_deg, settings);
   return base::Ok{};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,10 @@ class Presentation {
   // a game.
   base::Status advance(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
                        const PresentationSettings& settings);
+  // The same, but there is nothing to draw after it until the next advance(): for moments between frames at
+  // which something happens.
+  base::Status pass(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
+                    const PresentationSettings& settings);
   // Whether there is a level to draw.
   bool has_level() const { return models_.has_value(); }
 
@@ -56,7 +61,14 @@ class Presentation {
 
  private:
   base::Status begin_level(const Game& game, const PresentationSettings& settings);
-  void keep_light();
+  struct Sight {
+    std::span<const SeenEntity> entities;
+    PlayerView view;
+  };
+  Sight look(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
+             const PresentationSettings& settings);
+  void make_scene(const ClientState& state, double time_s, const Sight& sight,
+                  const PresentationSettings& settings);
   void apply_environment(const Game& game, double time_s, const PresentationSettings& settings);
 
   const assets::Library& library_;
@@ -71,8 +83,8 @@ class Presentation {
   std::string skybox_name_;
   render::Skybox skybox_;
   render::Scene scene_;
-  std::vector<render::DynamicLight> lights_before_;
-  render::SceneLight light_before_;  // of the scene before this one
+  std::vector<render::DynamicLight> lights_, lights_before_;  // of the scene, and of the one before it
+  render::SceneLight light_before_;
   std::uint32_t frame_number_ = 0;
   render::DrawList draw_list_;
   double time_s_ = 0;

@@ -76,12 +76,17 @@ void Trails::clear() {
   carried_.clear();
 }
 
-void Trails::leave(const TrailPiece& piece, EffectRandom& io_random, ParticlePool& io_pool) {
+Trails::Carried& Trails::carried(std::uint32_t entity) {
+  while (carried_.size() <= entity)
+    carried_.push_back({EffectRandom(base::hash_with(seed_, carried_.size()))});
+  return carried_[entity];
+}
+
+void Trails::leave(const TrailPiece& piece, ParticlePool& io_pool) {
   const math::Vec3d from(piece.from_world), way = math::Vec3d(piece.to_world) - from;
   const double length = glm::length(way);
   if (length == 0) return;
-  if (carried_.size() <= piece.entity) carried_.resize(piece.entity + 1);
-  Carried& carried = carried_[piece.entity];
+  Carried& carried = this->carried(piece.entity);
   const math::Vec3d direction = way / length;
   const double step = spacing(piece.kind);
   const double due = std::max(0.0, std::ceil((length - carried.until_next) / step));
@@ -89,7 +94,7 @@ void Trails::leave(const TrailPiece& piece, EffectRandom& io_random, ParticlePoo
   const double given = std::min(due, static_cast<double>(io_pool.room()));
   for (double i = 0; i < given; ++i) {
     const double passed = carried.until_next + i * step;
-    ParticleBirth birth = one_of_trail(piece.kind, direction, carried.count++, io_random);
+    ParticleBirth birth = one_of_trail(piece.kind, direction, carried.count++, carried.random);
     birth.origin_world += math::Vec3(from + direction * passed);
     birth.born_s = std::lerp(piece.from_time_s, piece.to_time_s, passed / length);
     io_pool.add(birth);

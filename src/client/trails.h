@@ -1,7 +1,8 @@
 // Trails: particles left along the way of rockets, grenades, gibs and spikes.
 //
 // One for every so many units of way, whatever pieces the way comes in: what is left of a piece is carried
-// over to the next. Each is as old as the time since its place was passed.
+// over to the next. Each is as old as the time since its place was passed. Every entity's trail has a chance
+// of its own.
 #pragma once
 
 #include <cstdint>
@@ -36,14 +37,21 @@ struct TrailPiece {
 
 class Trails {
  public:
+  // The same seed and the same ways give the same particles.
+  explicit Trails(std::uint32_t seed) : seed_(seed) {}
+
   void clear();
-  void leave(const TrailPiece& piece, EffectRandom& io_random, ParticlePool& io_pool);
+  void leave(const TrailPiece& piece, ParticlePool& io_pool);
 
  private:
   struct Carried {
+    EffectRandom random;
     double until_next = 0;    // units of way
     std::uint32_t count = 0;  // left so far
   };
+  Carried& carried(std::uint32_t entity);
+
+  std::uint32_t seed_;
   std::vector<Carried> carried_;  // by entity
 };
 

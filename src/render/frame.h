@@ -52,6 +52,11 @@ class FrameBuffer {
   base::LargeMemory<float> depth_;
 };
 
+// Rows of a frame, `end` without.
+struct RowRange {
+  int first = 0, end = 0;
+};
+
 enum class Stage {
   kView,
   kVisibility,
@@ -70,6 +75,19 @@ constexpr std::size_t kStages = 12;
 constexpr std::array<const char*, kStages> kStageNames = {"view",      "visibility",  "edges",  "scan",
                                                           "surfaces",  "spans",       "models", "sprites",
                                                           "particles", "translucent", "screen", "overlay"};
+
+struct StageTimes {
+  std::array<double, kStages> ms{};
+  std::array<double, kStages> cycles{};  // time-stamp counter ticks
+
+  StageTimes& operator+=(const StageTimes& other) {
+    for (std::size_t i = 0; i < kStages; ++i) {
+      ms[i] += other.ms[i];
+      cycles[i] += other.cycles[i];
+    }
+    return *this;
+  }
+};
 
 struct FrameStats {
   std::uint32_t faces_in_pvs = 0;  // faces of the leafs that the eye's leaf can see
@@ -90,8 +108,8 @@ struct FrameStats {
   std::uint32_t models = 0;     // alias models that may be on the screen
   std::uint32_t triangles = 0;  // theirs
   std::uint32_t particles = 0;  // in the scene
-  std::array<double, kStages> stage_ms{};
-  std::array<double, kStages> stage_cycles{};  // time-stamp counter ticks
+  // Of stages that take turns within a band (spans to fog): each one's part of the time of all bands.
+  StageTimes stages;
 };
 
 }  // namespace temblor::render

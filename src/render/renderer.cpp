@@ -1,7 +1,6 @@
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,15 +10,12 @@
 #include "render/colour/colour_tables.h"
 #include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
-#include "render/models/draw_alias_models.h"
-#include "render/models/draw_particles.h"
-#include "render/models/draw_sprites.h"
+#include "render/opaque_picture.h"
 #include "render/screen/draw_overlay.h"
-#include "render/screen/fog_picture.h"
 #include "render/screen/show.h"
 #include "render/screen/tint_picture.h"
 #include "render/screen/warp.h"
-#include "render/spans/draw_spans.h"
+#include "render/stage_clock.h"
 #include "render/surfaces/cutout_textures.h"
 #include "render/surfaces/draw_items.h"
 #include "render/surfaces/surface_cache.h"
@@ -31,35 +27,6 @@
 namespace temblor::render {
 
 namespace {
-
-// Ticks of the processor's clock where it has one that user programs may read; else 0.
-std::uint64_t read_cycles() {
-#if defined(__x86_64__)
-  return __builtin_ia32_rdtsc();
-#else
-  return 0;
-#endif
-}
-
-// Books time to the stage that just ended.
-class StageClock {
- public:
-  explicit StageClock(FrameStats& io_stats) : stats_(io_stats) {}
-  void end(Stage stage) {
-    const auto now = std::chrono::steady_clock::now();
-    const std::uint64_t cycles = read_cycles();
-    const std::size_t i = static_cast<std::size_t>(stage);
-    stats_.stage_ms[i] += std::chrono::duration<double, std::milli>(now - last_).count();
-    stats_.stage_cycles[i] += static_cast<double>(cycles - last_cycles_);
-    last_ = now;
-    last_cycles_ = cycles;
-  }
-
- private:
-  FrameStats& stats_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-  std::uint64_t last_cycles_ = read_cycles();
-};
 
 // As many rows as keep a band's pixels within the second-level cache, and bands enough for every thread.
 int choose_band_rows(const Settings& settings, int width, int height, PixelFormat format) {
@@ -75,6 +42,12 @@ int choose_band_rows(const Settings& settings, int width, int height, PixelForma
 // Whether anything is drawn after the edge list.
 bool needs_depth(const Scene& scene, const EdgeTable& edges) {
   return edges.late_count() > 0 || scene.fog.density > 0;
+}
+
+void count_models(std::span<const PreparedAlias> models, FrameStats& io_stats) {
+  io_stats.models = static_cast<std::uint32_t>(models.size());
+  for (const PreparedAlias& model : models)
+    io_stats.triangles += static_cast<std::uint32_t>(model.job.triangle_count);
 }
 
 void count_seen(const EdgeTable& edges, const SpanTable& spans, const DrawItems& items,
@@ -160,7 +133,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   const PixelFormat format = io_frame.format();
   const int band_rows = choose_band_rows(settings, width, height, format);
 
-  StageClock clock(stats);
+  StageClock clock(stats.stages);
   const ViewFrame view = make_view_frame(scene, width, height);
   clock.end(Stage::kView);
   const VisibleFaces visible =
@@ -178,30 +151,28 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   clock.end(Stage::kSurfaces);
   const SpanSources sources =
       prepare_span_sources(scene, settings, view, s.items, s.colour_tables, format, s.skybox, s.arena);
-  draw_spans(settings, view, s.spans, sources, s.colour_tables, *s.jobs, io_frame);
-  clock.end(Stage::kSpans);
-
   const FrameFog fog(scene.fog, view.perspective, format, s.colour_tables, s.fog_tables,
                      settings.vector_kernels);
-  const LateFaces late = sort_late_faces(scene, visible, s.edges, s.spans, s.items, s.arena);
   const LateTarget late_target{s.spans, s.edges, sources, s.colour_tables, fog, view};
-  draw_late_faces(late.opaque, late_target, *s.jobs, s.job_arenas, io_frame);
+  const LateFaces late = sort_late_faces(scene, visible, s.edges, s.spans, s.items, s.arena);
   clock.end(Stage::kTranslucent);
-  if (settings.fill_depth) {  // what follows is tested against it
-    const AliasCounts drawn = draw_alias_models(scene, settings, view, band_rows, s.colour_tables, *s.jobs,
-                                                s.arena, s.model_arenas, io_frame);
-    stats.models = drawn.models;
-    stats.triangles = drawn.triangles;
+  OpaquePicture opaque{late_target, late.opaque, {}, {}, {}};
+  if (settings.fill_depth) {
+    opaque.alias_models = prepare_alias_models(scene, settings, view, s.colour_tables, format, *s.jobs,
+                                               s.arena, s.model_arenas);
+    count_models(opaque.alias_models, stats);
     clock.end(Stage::kModels);
-    draw_sprites(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    opaque.sprites = place_sprites(scene, view, s.arena);
     clock.end(Stage::kSprites);
-    draw_particles(scene, settings, view, s.colour_tables, *s.jobs, s.arena, io_frame);
+    opaque.particles =
+        place_particles(scene, settings, view, band_rows, s.colour_tables, format, *s.jobs, s.arena);
     stats.particles = static_cast<std::uint32_t>(scene.particles.size());
     clock.end(Stage::kParticles);
   }
+  StageTimes turns;
+  draw_opaque_picture(opaque, settings, *s.jobs, s.arena, s.job_arenas, io_frame, turns);
+  clock.end_in_parts(turns);
 
-  fog_picture(fog, s.spans, s.items, *s.jobs, io_frame);
-  clock.end(Stage::kScreen);
   if (settings.fill_depth)
     draw_translucent(scene, settings, visible, late.translucent, late_target, *s.jobs, s.arena, s.job_arenas,
                      io_frame);
@@ -224,7 +195,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
 }
 
 void Renderer::draw_overlay(const DrawList& list, FrameBuffer& io_frame, FrameStats& io_stats) const {
-  StageClock clock(io_stats);
+  StageClock clock(io_stats.stages);
   render::draw_overlay(list, state_->colour_tables, io_frame);
   clock.end(Stage::kOverlay);
 }

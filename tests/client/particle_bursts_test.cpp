@@ -170,7 +170,7 @@ TEST(ParticleBursts, LavaSplash) {
 }
 
 TEST(ParticleBursts, BrightFieldIsAroundABallForOneMoment) {
-  Burst burst([](const BurstContext& context) { show_bright_field(context, kOrigin); });
+  Burst burst([](const BurstContext& context) { show_bright_field(context.pool, context.time_s, kOrigin); });
   EXPECT_EQ(burst.pool.size(), 162u);
   EXPECT_THAT(burst.colours(), testing::ElementsAre(0x6f));
   math::Vec3 sum(0.0f);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -17,12 +18,11 @@ namespace {
 constexpr std::uint32_t kRocket = 12;
 
 struct Left {
-  Left() : random(1) { pool.set_capacity(100000); }
+  Left() { pool.set_capacity(100000); }
   void leave(TrailKind kind, const math::Vec3& from, const math::Vec3& to, double from_s, double to_s) {
-    trails.leave({kRocket, kind, from, to, from_s, to_s}, random, pool);
+    trails.leave({kRocket, kind, from, to, from_s, to_s}, pool);
   }
-  Trails trails;
-  EffectRandom random;
+  Trails trails{1};
   ParticlePool pool;
 };
 
@@ -63,6 +63,28 @@ TEST(Trails, CoverTheWayWhateverItsPieces) {
       ASSERT_LT(glm::distance(place, expected), 0.1f) << seed << ": " << i;
     }
   }
+}
+
+// What one entity leaves does not depend on what others do meanwhile.
+TEST(Trails, HaveAChanceOfTheirOwn) {
+  Left alone, beside_another;
+  for (int i = 0; i < 10; ++i) {
+    const math::Vec3 from(10 * i, 0, 0), to(10 * i + 10, 0, 0);
+    alone.leave(TrailKind::kRocket, from, to, 0, 0);
+    beside_another.trails.leave({kRocket - 1, TrailKind::kRocket, {0, 50, 0}, {7, 50, 0}, 0, 0},
+                                beside_another.pool);
+    beside_another.leave(TrailKind::kRocket, from, to, 0, 0);
+  }
+  const auto places = [](Left& io_left) {
+    io_left.pool.advance(0);
+    const render::ParticleCloud cloud = io_left.pool.cloud();
+    std::vector<std::array<float, 3>> near_the_x_axis;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      if (cloud.y[i] < 25) near_the_x_axis.push_back({cloud.x[i], cloud.y[i], cloud.z[i]});
+    return near_the_x_axis;
+  };
+  EXPECT_GT(places(alone).size(), 30u);
+  EXPECT_EQ(places(alone), places(beside_another));
 }
 
 TEST(Trails, ZombiesBleedHalfAsMuch) {

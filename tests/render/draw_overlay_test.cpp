@@ -147,7 +147,7 @@ TEST(DrawOverlay, DrawsInOrderThroughTheRenderer) {
                                {.area = {3, 0, 1, 1}, .fill = 5}}};
   render::FrameStats stats;
   renderer.draw_overlay(list, frame, stats);
-  EXPECT_GT(stats.stage_ms[static_cast<std::size_t>(render::Stage::kOverlay)], 0.0);
+  EXPECT_GT(stats.stages.ms[static_cast<std::size_t>(render::Stage::kOverlay)], 0.0);
   EXPECT_EQ(std::vector<std::uint8_t>(frame.indexed().begin(), frame.indexed().end()),
             (std::vector<std::uint8_t>{1, 1, 3, 5, 1, 1, 9, 9}));
 }

@@ -108,8 +108,12 @@ void draw(const Cloud& cloud, const render::ViewFrame& view, int threads, bool v
   scene.particles = cloud.view();
   base::Jobs jobs(threads, base::JobBackend::kStdThread);
   base::Arena arena;
-  render::draw_particles(scene, {.vector_kernels = vector_kernels}, view, some_tables(), jobs, arena,
-                         io_frame);
+  constexpr int kBandRows = 32;
+  const render::ParticleBands bands =
+      render::place_particles(scene, {.vector_kernels = vector_kernels}, view, kBandRows, some_tables(),
+                              io_frame.format(), jobs, arena);
+  jobs.parallel_for(bands.rects.size(),
+                    [&](std::size_t band) { render::draw_particles(bands, band, vector_kernels, io_frame); });
 }
 
 TEST(Particles, AreTheSquaresThatTheRuleSays) {

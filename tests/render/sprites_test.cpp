@@ -143,7 +143,14 @@ void draw(const std::vector<render::SpriteInstance>& sprites, const render::View
   scene.sprites = sprites;
   base::Jobs jobs(threads, base::JobBackend::kStdThread);
   base::Arena arena;
-  render::draw_sprites(scene, {.vector_kernels = vector_kernels}, view, some_tables(), jobs, arena, io_frame);
+  const std::span<const render::SpriteQuad> quads = render::place_sprites(scene, view, arena);
+  constexpr int kBandRows = 32;
+  jobs.parallel_for(static_cast<std::size_t>((view.height + kBandRows - 1) / kBandRows),
+                    [&](std::size_t band) {
+                      const int first = static_cast<int>(band) * kBandRows;
+                      render::draw_sprites(quads, some_tables(), vector_kernels,
+                                           {first, std::min(first + kBandRows, view.height)}, io_frame);
+                    });
 }
 
 struct Tally {

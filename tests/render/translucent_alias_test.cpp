@@ -89,7 +89,9 @@ TEST_P(TranslucentAlias, IsLeftOutByTheOpaqueStage) {
   base::Jobs jobs(1);
   base::Arena arena;
   std::vector<base::Arena> job_arenas;
-  render::draw_alias_models(scene_, {}, view_, kHeight, tables_, jobs, arena, job_arenas, background_);
+  render::draw_alias_models(
+      render::prepare_alias_models(scene_, {}, view_, tables_, GetParam(), jobs, arena, job_arenas), true,
+      {0, kHeight}, background_);
   for (std::size_t i = 0; i < frame.pixel_count(); ++i)
     ASSERT_EQ(background_.depth()[i], translucent_.depth()[i]);
 }

@@ -11,15 +11,6 @@
 namespace temblor::test {
 namespace {
 
-// The one that points most nearly that way.
-std::uint8_t nearest_normal(const math::Vec3d& direction) {
-  const auto normals = formats::mdl_normals();
-  const auto along = [&](const math::Vec3& normal) { return glm::dot(math::Vec3d(normal), direction); };
-  const auto nearest = std::max_element(normals.begin(), normals.end(),
-                                        [&](const auto& a, const auto& b) { return along(a) < along(b); });
-  return static_cast<std::uint8_t>(nearest - normals.begin());
-}
-
 // `centred` from -1 to 1.
 formats::MdlVertex vertex_at(const math::Vec3d& centred, const math::Vec3d& normal) {
   formats::MdlVertex vertex;
@@ -79,6 +70,14 @@ math::Vec3d sphere_point(std::uint32_t ring, std::uint32_t rings, std::uint32_t 
 }
 
 }  // namespace
+
+std::uint8_t nearest_normal(const math::Vec3d& direction) {
+  const auto normals = formats::mdl_normals();
+  const auto along = [&](const math::Vec3& normal) { return glm::dot(math::Vec3d(normal), direction); };
+  const auto nearest = std::max_element(normals.begin(), normals.end(),
+                                        [&](const auto& a, const auto& b) { return along(a) < along(b); });
+  return static_cast<std::uint8_t>(nearest - normals.begin());
+}
 
 formats::Mdl box_mdl() {
   formats::Mdl mdl = empty_mdl(64, 32);

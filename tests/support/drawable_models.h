@@ -9,6 +9,9 @@
 
 namespace temblor::test {
 
+// The number of the one of formats::mdl_normals() that points most nearly that way.
+std::uint8_t nearest_normal(const math::Vec3d& direction);
+
 // A cube of 255 units around its origin: 8 vertices, 12 triangles, a skin of 64 x 32 in which no two
 // neighbouring texels are alike.
 formats::Mdl box_mdl();

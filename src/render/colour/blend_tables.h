@@ -13,6 +13,7 @@
 
 #include "formats/palette.h"
 #include "math/vec.h"
+#include "render/colour/fog_curve.h"
 #include "render/colour/nearest_colour.h"
 
 namespace temblor::render {
@@ -85,13 +86,15 @@ class BlendTables {
 // 255 stays: it may stand for "clear".
 class FogTables {
  public:
-  static constexpr int kRows = 65;
+  static constexpr int kRows = kFogSteps + 1;
 
   // `colour`: 0 to 1. Worked out when it is not that of the last call.
   const std::uint8_t* rows_for(const math::Vec3& colour, const formats::Palette& palette,
                                const PaletteMatch& match);
+  const FogCurve& curve() const { return curve_; }
 
  private:
+  FogCurve curve_ = make_fog_curve();
   std::optional<formats::Rgb> colour_;
   std::array<std::uint8_t, kRows * 256> rows_{};
 };

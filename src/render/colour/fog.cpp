@@ -1,7 +1,5 @@
 #include "render/colour/fog.h"
 
-#include <limits>
-
 namespace temblor::render {
 
 namespace {
@@ -9,38 +7,48 @@ namespace {
 // Density is given for this many units.
 constexpr float kDensityUnits = 64;
 
-constexpr float kNoSky = std::numeric_limits<float>::quiet_NaN();
-
 }  // namespace
 
 FrameFog::FrameFog(const Fog& fog, bool perspective, PixelFormat format, const ColourTables& tables,
                    FogTables& io_tables, bool vector_kernels)
-    : row_{}, format_(format), vector_kernels_(vector_kernels) {
+    : row_{}, is_on_(fog.density > 0), format_(format), vector_kernels_(vector_kernels) {
+  if (!is_on_) return;
+  const float rate = fog.density / kDensityUnits;
   row_.perspective = perspective;
-  row_.rate = fog.density > 0 ? fog.density / kDensityUnits : 0;
-  row_.sky = kNoSky;
+  row_.inverse_rate = 1 / rate;
   row_.sky_share = kSkyFogShare;
   row_.colour = to_rgb(to_bytes(fog.colour));
-  if (is_on() && format == PixelFormat::kIndexed)
+  row_.curve = &io_tables.curve();
+  for (std::size_t i = 0; i < step_end_depths_.size(); ++i) {
+    const float nearness = row_.curve->step_ends[i];
+    step_end_depths_[i] = perspective ? nearness * rate : -row_.inverse_rate / nearness;
+  }
+  // Minus a distance of nothing, and of 1 / minus infinity: as the ends of nearness, beyond all depths.
+  step_end_depths_.front() = row_.curve->step_ends[0];
+  step_end_depths_.back() = row_.curve->step_ends[kFogSteps + 1];
+  if (format == PixelFormat::kIndexed)
     row_.rows = io_tables.rows_for(fog.colour, tables.palette, tables.match);
 }
 
 void FrameFog::apply(void* io_pixels, std::span<const float> depth) const {
-  FogRow row = row_;
-  row.pixels = io_pixels;
-  row.depth = depth.data();
-  row.count = static_cast<std::int32_t>(depth.size());
-  run(row);
+  run(row_of(io_pixels, depth));
 }
 
 void FrameFog::apply_sky(void* io_pixels, std::span<const float> depth, float sky, float sky_step) const {
+  FogRow row = row_of(io_pixels, depth);
+  row.has_sky = true;
+  row.sky = sky;
+  row.sky_step = sky_step;
+  run(row);
+}
+
+FogRow FrameFog::row_of(void* io_pixels, std::span<const float> depth) const {
   FogRow row = row_;
   row.pixels = io_pixels;
   row.depth = depth.data();
   row.count = static_cast<std::int32_t>(depth.size());
-  row.sky = sky;
-  row.sky_step = sky_step;
-  run(row);
+  row.step_end_depths = step_end_depths_.data();
+  return row;
 }
 
 void FrameFog::run(const FogRow& row) const {

@@ -2,6 +2,7 @@
 // it is blended in.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -22,7 +23,7 @@ class FrameFog {
            FogTables& io_tables, bool vector_kernels);
 
   // Without density nothing changes, and nothing need be called.
-  bool is_on() const { return row_.rate > 0; }
+  bool is_on() const { return is_on_; }
 
   // Fogs pixels of the frame's format that lie at those depths (ViewFrame::depth). In rgb their alpha stays;
   // indexed, 255 does.
@@ -31,9 +32,12 @@ class FrameFog {
   void apply_sky(void* io_pixels, std::span<const float> depth, float sky, float sky_step) const;
 
  private:
+  FogRow row_of(void* io_pixels, std::span<const float> depth) const;
   void run(const FogRow& row) const;
 
   FogRow row_;
+  std::array<float, kFogSteps + 2> step_end_depths_{};
+  bool is_on_;
   PixelFormat format_;
   bool vector_kernels_;
 };

@@ -1,6 +1,3 @@
-// Method: first every instance in view is prepared, then its triangles are filled, both in parallel. A job of
-// the second kind is a band of scan lines, through which all instances are drawn in their order: so a pixel
-// sees the same triangles in the same order however many bands there are.
 #include "render/models/draw_alias_models.h"
 
 #include <algorithm>
@@ -44,34 +41,29 @@ std::span<const PreparedAlias> prepare_all(const Scene& scene, const Settings& s
 
 }  // namespace
 
-AliasCounts draw_alias_models(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                              int band_rows, const ColourTables& tables, base::Jobs& jobs, base::Arena& arena,
-                              std::vector<base::Arena>& io_job_arenas, FrameBuffer& io_frame) {
+std::span<const PreparedAlias> prepare_alias_models(const Scene& scene, const Settings& settings,
+                                                    const ViewFrame& view, const ColourTables& tables,
+                                                    PixelFormat format, base::Jobs& jobs, base::Arena& arena,
+                                                    std::vector<base::Arena>& io_job_arenas) {
   const std::span<const AliasPlacement> placements = place_all(scene, view, arena);
   if (placements.empty()) return {};
-  const PixelFormat format = io_frame.format();
-  const std::span<const PreparedAlias> prepared =
-      prepare_all(scene, settings, view, placements, tables, format, jobs, arena, io_job_arenas);
+  return prepare_all(scene, settings, view, placements, tables, format, jobs, arena, io_job_arenas);
+}
 
-  const bool indexed = format == PixelFormat::kIndexed;
-  void* const pixels = indexed ? static_cast<void*>(io_frame.indexed().data()) : io_frame.rgb().data();
-  // One thread goes through every model once; bands would only make it look at triangles again.
-  const int rows = jobs.threads() > 1 ? band_rows : io_frame.height();
-  const int bands = (io_frame.height() + rows - 1) / rows;
-  jobs.parallel_for(static_cast<std::size_t>(bands), [&](std::size_t band) {
-    const int begin = static_cast<int>(band) * rows, end = std::min(begin + rows, io_frame.height());
-    for (const PreparedAlias& alias : prepared) {
-      const TriangleTarget target{pixels, io_frame.depth().data(),          io_frame.width(),
-                                  0,      std::max(begin, alias.first_row), std::min(end, alias.row_end)};
-      if (target.row_begin < target.row_end) fill_alias(alias, format, settings.vector_kernels, target);
-    }
-  });
-  AliasCounts counts;
-  for (const PreparedAlias& alias : prepared) {
-    ++counts.models;
-    counts.triangles += static_cast<std::uint32_t>(alias.job.triangle_count);
+void draw_alias_models(std::span<const PreparedAlias> models, bool vector_kernels, RowRange rows,
+                       FrameBuffer& io_frame) {
+  const PixelFormat format = io_frame.format();
+  void* const pixels =
+      format == PixelFormat::kIndexed ? static_cast<void*>(io_frame.indexed().data()) : io_frame.rgb().data();
+  for (const PreparedAlias& alias : models) {
+    const TriangleTarget target{pixels,
+                                io_frame.depth().data(),
+                                io_frame.width(),
+                                0,
+                                std::max(rows.first, alias.first_row),
+                                std::min(rows.end, alias.row_end)};
+    if (target.row_begin < target.row_end) fill_alias(alias, format, vector_kernels, target);
   }
-  return counts;
 }
 
 }  // namespace temblor::render

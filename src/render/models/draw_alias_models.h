@@ -1,27 +1,28 @@
 // Stage 7, first part: alias models, against the depth that the world left.
 #pragma once
 
-#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/arena.h"
 #include "base/parallel_for.h"
 #include "render/colour/colour_tables.h"
+#include "render/models/prepare_alias.h"
 #include "render/renderer.h"
 #include "render/view/view_frame.h"
 
 namespace temblor::render {
 
-// Instances that may be on the screen, and all their triangles.
-struct AliasCounts {
-  std::uint32_t models = 0, triangles = 0;
-};
+// Those of Scene::alias_models that may be on the screen, in their order, then the view weapon. Those whose
+// alpha is below 1 are left out (draw_translucent_alias.h). Results live in the arenas.
+std::span<const PreparedAlias> prepare_alias_models(const Scene& scene, const Settings& settings,
+                                                    const ViewFrame& view, const ColourTables& tables,
+                                                    PixelFormat format, base::Jobs& jobs, base::Arena& arena,
+                                                    std::vector<base::Arena>& io_job_arenas);
 
-// Draws Scene::alias_models in their order, then the view weapon, in bands of `band_rows` scan lines. Those
-// whose alpha is below 1 are left out (draw_translucent_alias.h). Depth must have been filled. Results live
-// in the arenas no longer than the call.
-AliasCounts draw_alias_models(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                              int band_rows, const ColourTables& tables, base::Jobs& jobs, base::Arena& arena,
-                              std::vector<base::Arena>& io_job_arenas, FrameBuffer& io_frame);
+// Draws their part of `rows`, whose depth must have been filled. A pixel sees the same triangles in the same
+// order however a picture is cut into rows.
+void draw_alias_models(std::span<const PreparedAlias> models, bool vector_kernels, RowRange rows,
+                       FrameBuffer& io_frame);
 
 }  // namespace temblor::render

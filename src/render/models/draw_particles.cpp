@@ -1,12 +1,9 @@
-// Projected in batches, dealt out to bands of rows in their order, drawn band by band: where a batch or a
-// band ends changes nothing.
+// Projected in batches, then dealt out to bands: where a batch or a band ends changes nothing.
 #include "render/models/draw_particles.h"
 
 #include <algorithm>
-#include <span>
 
 #include "base/check.h"
-#include "render/models/particle_kernels.h"
 
 namespace temblor::render {
 
@@ -15,18 +12,12 @@ namespace {
 constexpr double kSideUnits = 0.8;
 constexpr double kLeastSideOf320 = 1, kMostSideOf320 = 4;  // pixels of a picture 320 wide
 constexpr std::size_t kBatch = 4096;                       // particles
-constexpr int kBandRows = 32;
 
 // As ParticleBatch says, one of each for every particle.
 struct Squares {
   std::span<std::int32_t> left, top, side;
   std::span<float> depth;
   std::span<std::uint32_t> colour;
-};
-
-struct Band {
-  int first_row, end_row;
-  std::span<ParticleRect> rects;
 };
 
 void copy_axis(const math::Vec3d& from, float (&out)[3]) {
@@ -74,68 +65,73 @@ Squares project(const ParticleCloud& cloud, const ParticleProjection& projection
 struct BandRange {
   std::size_t first, last;
 };
-BandRange bands_of(int top, int side, int height) {
-  return {static_cast<std::size_t>(std::max(top, 0) / kBandRows),
-          static_cast<std::size_t>((std::min(top + side, height) - 1) / kBandRows)};
+BandRange bands_of(int top, int side, int height, int band_rows) {
+  return {static_cast<std::size_t>(std::max(top, 0) / band_rows),
+          static_cast<std::size_t>((std::min(top + side, height) - 1) / band_rows)};
 }
 
-ParticleRect clip(const Squares& squares, std::size_t i, const Band& band, int width) {
+ParticleRect clip(const Squares& squares, std::size_t i, RowRange rows, int width) {
   const int left = squares.left[i], top = squares.top[i], side = squares.side[i];
-  const int x = std::max(left, 0), y = std::max(top, band.first_row);
+  const int x = std::max(left, 0), y = std::max(top, rows.first);
   return {squares.depth[i],
           static_cast<std::uint16_t>(x),
           static_cast<std::uint16_t>(y),
           static_cast<std::uint16_t>(std::min(left + side, width) - x),
-          static_cast<std::uint16_t>(std::min(top + side, band.end_row) - y),
+          static_cast<std::uint16_t>(std::min(top + side, rows.end) - y),
           squares.colour[i]};
 }
 
-std::span<Band> deal_to_bands(const Squares& squares, const ViewFrame& view, base::Arena& arena) {
-  const std::size_t band_count = static_cast<std::size_t>((view.height + kBandRows - 1) / kBandRows);
+ParticleBands deal_to_bands(const Squares& squares, const ViewFrame& view, int band_rows,
+                            base::Arena& arena) {
+  const std::size_t band_count = static_cast<std::size_t>((view.height + band_rows - 1) / band_rows);
   const std::span<std::size_t> rects_in = arena.allocate_filled<std::size_t>(band_count, 0);
-  for (std::size_t i = 0; i < squares.side.size(); ++i) {
-    if (squares.side[i] == 0) continue;
-    const BandRange range = bands_of(squares.top[i], squares.side[i], view.height);
-    for (std::size_t band = range.first; band <= range.last; ++band) ++rects_in[band];
+  const auto for_each_band_of = [&](std::size_t i, auto&& body) {
+    if (squares.side[i] == 0) return;
+    const BandRange range = bands_of(squares.top[i], squares.side[i], view.height, band_rows);
+    for (std::size_t band = range.first; band <= range.last; ++band) body(band);
+  };
+  for (std::size_t i = 0; i < squares.side.size(); ++i)
+    for_each_band_of(i, [&](std::size_t band) { ++rects_in[band]; });
+  const std::span<std::span<ParticleRect>> rects = arena.allocate<std::span<ParticleRect>>(band_count);
+  for (std::size_t band = 0; band < band_count; ++band) {
+    rects[band] = arena.allocate<ParticleRect>(rects_in[band]);
+    rects_in[band] = 0;
   }
-  const std::span<Band> bands = arena.allocate<Band>(band_count);
-  for (std::size_t number = 0; number < band_count; ++number) {
-    const int first_row = static_cast<int>(number) * kBandRows;
-    bands[number] = {first_row, std::min(first_row + kBandRows, view.height),
-                     arena.allocate<ParticleRect>(rects_in[number])};
-    rects_in[number] = 0;
-  }
-  for (std::size_t i = 0; i < squares.side.size(); ++i) {
-    if (squares.side[i] == 0) continue;
-    const BandRange range = bands_of(squares.top[i], squares.side[i], view.height);
-    for (std::size_t band = range.first; band <= range.last; ++band)
-      bands[band].rects[rects_in[band]++] = clip(squares, i, bands[band], view.width);
-  }
-  return bands;
+  for (std::size_t i = 0; i < squares.side.size(); ++i)
+    for_each_band_of(i, [&](std::size_t band) {
+      const int first_row = static_cast<int>(band) * band_rows;
+      const RowRange rows{first_row, std::min(first_row + band_rows, view.height)};
+      rects[band][rects_in[band]++] = clip(squares, i, rows, view.width);
+    });
+  return {rects};
 }
 
 }  // namespace
 
-void draw_particles(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                    const ColourTables& tables, base::Jobs& jobs, base::Arena& arena, FrameBuffer& io_frame) {
+ParticleBands place_particles(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                              int band_rows, const ColourTables& tables, PixelFormat format, base::Jobs& jobs,
+                              base::Arena& arena) {
   const ParticleCloud& cloud = scene.particles;
   CHECK(
       cloud.y.size() == cloud.size() && cloud.z.size() == cloud.size() && cloud.colour.size() == cloud.size(),
       "{}, {}, {}, {} particles", cloud.x.size(), cloud.y.size(), cloud.z.size(), cloud.colour.size());
-  if (cloud.size() == 0) return;
-  const bool vectors = settings.vector_kernels, indexed = io_frame.format() == PixelFormat::kIndexed;
-  const Squares squares = project(cloud, make_projection(view), vectors, jobs, arena);
+  if (cloud.size() == 0) return {};
+  const Squares squares = project(cloud, make_projection(view), settings.vector_kernels, jobs, arena);
+  const bool indexed = format == PixelFormat::kIndexed;
   for (std::size_t i = 0; i < cloud.size(); ++i)
     squares.colour[i] = indexed ? cloud.colour[i] : tables.rgb[cloud.colour[i]];
-  const std::span<const Band> bands = deal_to_bands(squares, view, arena);
+  return deal_to_bands(squares, view, band_rows, arena);
+}
 
+void draw_particles(const ParticleBands& particles, std::size_t band, bool vector_kernels,
+                    FrameBuffer& io_frame) {
+  if (particles.rects.empty()) return;
+  const bool indexed = io_frame.format() == PixelFormat::kIndexed;
   const ParticleTarget target{indexed ? static_cast<void*>(io_frame.indexed().data()) : io_frame.rgb().data(),
                               io_frame.depth().data(), static_cast<std::size_t>(io_frame.width())};
-  const auto draw = indexed ? (vectors ? draw_particles_u8_vector : draw_particles_u8_plain)
-                            : (vectors ? draw_particles_u32_vector : draw_particles_u32_plain);
-  jobs.parallel_for(bands.size(), [&](std::size_t number) {
-    draw(bands[number].rects.data(), bands[number].rects.size(), target);
-  });
+  const auto draw = indexed ? (vector_kernels ? draw_particles_u8_vector : draw_particles_u8_plain)
+                            : (vector_kernels ? draw_particles_u32_vector : draw_particles_u32_plain);
+  draw(particles.rects[band].data(), particles.rects[band].size(), target);
 }
 
 }  // namespace temblor::render

@@ -6,17 +6,30 @@
 // equally near the later one stays.
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "base/arena.h"
 #include "base/parallel_for.h"
 #include "render/colour/colour_tables.h"
 #include "render/frame.h"
+#include "render/models/particle_kernels.h"
 #include "render/renderer.h"
 #include "render/view/view_frame.h"
 
 namespace temblor::render {
 
+// Those in view, dealt out to bands of rows in the scene's order; what lies in two is cut.
+struct ParticleBands {
+  std::span<const std::span<ParticleRect>> rects;
+};
+
+ParticleBands place_particles(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                              int band_rows, const ColourTables& tables, PixelFormat format, base::Jobs& jobs,
+                              base::Arena& arena);
+
 // Needs the depth of everything opaque, and leaves its own there.
-void draw_particles(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                    const ColourTables& tables, base::Jobs& jobs, base::Arena& arena, FrameBuffer& io_frame);
+void draw_particles(const ParticleBands& particles, std::size_t band, bool vector_kernels,
+                    FrameBuffer& io_frame);
 
 }  // namespace temblor::render

@@ -12,8 +12,6 @@ namespace temblor::render {
 
 namespace {
 
-constexpr int kBandRows = 64;
-
 struct PixelRange {
   int first, end;
 };
@@ -117,21 +115,18 @@ void draw_sprite_instance(const SpriteQuad& quad, const SpriteBlend& blend, cons
   }
 }
 
-void draw_sprites(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                  const ColourTables& tables, base::Jobs& jobs, base::Arena& arena, FrameBuffer& io_frame) {
+std::span<const SpriteQuad> place_sprites(const Scene& scene, const ViewFrame& view, base::Arena& arena) {
   base::ArenaVector<SpriteQuad> quads(arena, scene.sprites.size());
   for (const SpriteInstance& sprite : scene.sprites) {
     if (sprite.alpha < 1) continue;
     if (const std::optional<SpriteQuad> quad = make_sprite_quad(view, sprite)) quads.push_back(*quad);
   }
-  if (quads.empty()) return;
-  const int bands = (view.height + kBandRows - 1) / kBandRows;
-  jobs.parallel_for(static_cast<std::size_t>(bands), [&](std::size_t number) {
-    const int first_row = static_cast<int>(number) * kBandRows;
-    const RowRange rows{first_row, std::min(first_row + kBandRows, view.height)};
-    for (const SpriteQuad& quad : quads)
-      draw_sprite_instance(quad, {}, tables, settings.vector_kernels, rows, io_frame);
-  });
+  return quads.view();
+}
+
+void draw_sprites(std::span<const SpriteQuad> quads, const ColourTables& tables, bool vector_kernels,
+                  RowRange rows, FrameBuffer& io_frame) {
+  for (const SpriteQuad& quad : quads) draw_sprite_instance(quad, {}, tables, vector_kernels, rows, io_frame);
 }
 
 }  // namespace temblor::render

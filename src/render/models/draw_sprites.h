@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "base/arena.h"
-#include "base/parallel_for.h"
 #include "render/colour/colour_tables.h"
 #include "render/frame.h"
 #include "render/models/sprite_quad.h"
-#include "render/renderer.h"
+#include "render/scene.h"
 #include "render/view/view_frame.h"
 
 namespace temblor::render {
@@ -22,18 +22,17 @@ struct SpriteBlend {
   }
 };
 
-struct RowRange {
-  int first = 0, end = 0;
-};
-
 // Draws the rows of a quad that lie in `rows`, which lie in the frame. Pixels whose centres the quad covers
 // change where it is as near as what is there or nearer, and the texel is not 255. Opaque ones leave their
 // depth.
 void draw_sprite_instance(const SpriteQuad& quad, const SpriteBlend& blend, const ColourTables& tables,
                           bool vector_kernels, RowRange rows, FrameBuffer& io_frame);
 
-// All sprites whose alpha is 1, in order. Needs the depth of everything opaque.
-void draw_sprites(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                  const ColourTables& tables, base::Jobs& jobs, base::Arena& arena, FrameBuffer& io_frame);
+// All sprites in view whose alpha is 1, in order; in the arena.
+std::span<const SpriteQuad> place_sprites(const Scene& scene, const ViewFrame& view, base::Arena& arena);
+
+// Draws their part of `rows`. Needs the depth of everything that is drawn before.
+void draw_sprites(std::span<const SpriteQuad> quads, const ColourTables& tables, bool vector_kernels,
+                  RowRange rows, FrameBuffer& io_frame);
 
 }  // namespace temblor::render

@@ -6,6 +6,8 @@
 // Light is that of the triangle's first vertex.
 //
 // Unlike there, depth is 1/z as a float, as everywhere here.
+#include <algorithm>
+
 #include "render/models/triangle_kernels.h"
 
 namespace temblor::render {
@@ -20,8 +22,10 @@ struct SplitVertex {
 
 constexpr float kTexelSteps = 65536.0f;
 
-constexpr bool is_long(std::int32_t pixels) {
-  return pixels < -1 || pixels > 1;
+// More than a pixel in x or y. Without branches: which side of a triangle is long cannot be foreseen.
+constexpr bool is_long(const SplitVertex& a, const SplitVertex& b) {
+  const auto x = static_cast<std::uint32_t>(b.x - a.x + 1), y = static_cast<std::uint32_t>(b.y - a.y + 1);
+  return std::max(x, y) > 2;
 }
 
 // Palette indices under one light.
@@ -105,18 +109,18 @@ class Subdivider {
   // The side from a to b is looked at first.
   void split(SplitVertex a, SplitVertex b, SplitVertex c, const Light& light) {
     while (true) {
-      if (!is_long(b.x - a.x) && !is_long(b.y - a.y)) {
+      if (!is_long(a, b)) {
+        const bool second = is_long(b, c);
+        if (!second && !is_long(c, a)) return;
         const SplitVertex first = a;
-        if (is_long(c.x - b.x) || is_long(c.y - b.y)) {
+        if (second) {
           a = b;
           b = c;
           c = first;
-        } else if (is_long(a.x - c.x) || is_long(a.y - c.y)) {
+        } else {
           a = c;
           c = b;
           b = first;
-        } else {
-          return;
         }
       }
       const SplitVertex middle{(a.x + b.x) >> 1, (a.y + b.y) >> 1, (a.s + b.s) >> 1, (a.t + b.t) >> 1,

@@ -25,26 +25,22 @@ void draw_background(std::span<const SpanRun> runs, const ColourTables& tables, 
 
 }  // namespace
 
-void draw_spans(const Settings& settings, const ViewFrame& view, const SpanTable& spans,
-                const SpanSources& sources, const ColourTables& tables, base::Jobs& jobs,
-                FrameBuffer& io_frame) {
+void draw_spans(const Settings& settings, const ViewFrame& view, const Band& band, const SpanSources& sources,
+                const ColourTables& tables, FrameBuffer& io_frame) {
   const bool indexed = io_frame.format() == PixelFormat::kIndexed;
   const KernelTarget target{indexed ? static_cast<void*>(io_frame.indexed().data()) : io_frame.rgb().data(),
                             settings.fill_depth ? io_frame.depth().data() : nullptr,
                             static_cast<std::size_t>(io_frame.width())};
-  jobs.parallel_for(spans.bands.size(), [&](std::size_t number) {
-    const Band& band = spans.bands[number];
-    for (std::size_t position = 0; position < band.items.size(); ++position) {
-      const std::uint32_t item_number = band.items[position];
-      if (item_number >= sources.items.first_late) break;
-      const DrawItem& item = sources.items.items[item_number];
-      const std::span<const SpanRun> runs = band.runs_at(position);
-      if (item.kind == ItemKind::kNothing) draw_background(runs, tables, settings.fill_depth, io_frame);
-      if (item.kind == ItemKind::kSurface && settings.prefetch)
-        prefetch_texels(item, runs, view.perspective, indexed ? 1 : 4);
-      draw_runs(sources, item_number, runs, target);
-    }
-  });
+  for (std::size_t position = 0; position < band.items.size(); ++position) {
+    const std::uint32_t item_number = band.items[position];
+    if (item_number >= sources.items.first_late) break;
+    const DrawItem& item = sources.items.items[item_number];
+    const std::span<const SpanRun> runs = band.runs_at(position);
+    if (item.kind == ItemKind::kNothing) draw_background(runs, tables, settings.fill_depth, io_frame);
+    if (item.kind == ItemKind::kSurface && settings.prefetch)
+      prefetch_texels(item, runs, view.perspective, indexed ? 1 : 4);
+    draw_runs(sources, item_number, runs, target);
+  }
 }
 
 }  // namespace temblor::render

@@ -1,15 +1,13 @@
-// Stage 6. SpanTable and DrawItems -> pixels and depth. Bands are drawn independently of one another.
+// Stage 6. SpanTable and DrawItems -> pixels and depth, band by band.
 #pragma once
 
-#include "base/parallel_for.h"
 #include "render/frame.h"
 #include "render/spans/span_sources.h"
 
 namespace temblor::render {
 
 // All but late items.
-void draw_spans(const Settings& settings, const ViewFrame& view, const SpanTable& spans,
-                const SpanSources& sources, const ColourTables& tables, base::Jobs& jobs,
-                FrameBuffer& io_frame);
+void draw_spans(const Settings& settings, const ViewFrame& view, const Band& band, const SpanSources& sources,
+                const ColourTables& tables, FrameBuffer& io_frame);
 
 }  // namespace temblor::render

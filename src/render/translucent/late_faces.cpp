@@ -150,21 +150,26 @@ LateFaces sort_late_faces(const Scene& scene, const VisibleFaces& visible, const
   return {opaque.view(), translucent.view()};
 }
 
+void draw_late_faces(std::span<const LateFace> faces, const LateTarget& target, const Band& band,
+                     base::Arena& arena, FrameBuffer& io_frame) {
+  if (faces.empty()) return;
+  const LateRuns runs(band, target.sources.items, arena);
+  BandDrawing drawing(target, io_frame, arena);
+  for (const LateFace& face : faces) {
+    const ScreenSurface& surface = target.edges.surfaces[base::to_size(face.surface)];
+    for (std::uint32_t i = surface.first_item; i < surface.first_item + item_count(surface); ++i)
+      for (const SpanRun& run : runs.of(i)) drawing.draw(face, i, run);
+  }
+}
+
 void draw_late_faces(std::span<const LateFace> faces, const LateTarget& target, base::Jobs& jobs,
                      std::vector<base::Arena>& io_arenas, FrameBuffer& io_frame) {
   if (faces.empty()) return;
   const std::span<const Band> bands = target.spans.bands;
   if (io_arenas.size() < bands.size()) io_arenas.resize(bands.size());
   jobs.parallel_for(bands.size(), [&](std::size_t number) {
-    base::Arena& arena = io_arenas[number];
-    arena.reset();
-    const LateRuns runs(bands[number], target.sources.items, arena);
-    BandDrawing drawing(target, io_frame, arena);
-    for (const LateFace& face : faces) {
-      const ScreenSurface& surface = target.edges.surfaces[base::to_size(face.surface)];
-      for (std::uint32_t i = surface.first_item; i < surface.first_item + item_count(surface); ++i)
-        for (const SpanRun& run : runs.of(i)) drawing.draw(face, i, run);
-    }
+    io_arenas[number].reset();
+    draw_late_faces(faces, target, bands[number], io_arenas[number], io_frame);
   });
 }
 

@@ -41,9 +41,12 @@ struct LateTarget {
   const ViewFrame& view;
 };
 
-// Draws all of them in their order. Opaque ones write pixels and depth, and are fogged with the rest of the
-// picture; translucent ones are fogged, then blended, and leave depth alone. `io_arenas` grows as needed: one
-// a band.
+// Draws what lies in one band of all of them, in their order. Opaque ones write pixels and depth, and are
+// fogged with the rest of the picture; translucent ones are fogged, then blended, and leave depth alone.
+void draw_late_faces(std::span<const LateFace> faces, const LateTarget& target, const Band& band,
+                     base::Arena& arena, FrameBuffer& io_frame);
+
+// The same in all bands. `io_arenas` grows as needed: one a band.
 void draw_late_faces(std::span<const LateFace> faces, const LateTarget& target, base::Jobs& jobs,
                      std::vector<base::Arena>& io_arenas, FrameBuffer& io_frame);
 

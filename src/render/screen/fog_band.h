@@ -1,7 +1,7 @@
-// Fog over the opaque picture: every pixel by its depth, sky by a constant share.
+// Stage 8. Fog over what is opaque in a band: every pixel by its depth, sky by a constant share.
 #pragma once
 
-#include "base/parallel_for.h"
+#include "base/arena.h"
 #include "render/colour/fog.h"
 #include "render/edges/span_table.h"
 #include "render/frame.h"
@@ -11,7 +11,7 @@ namespace temblor::render {
 
 // Sky is told by the depth that drawing its spans left: what was drawn over it since is nearer. Without
 // density nothing is touched.
-void fog_picture(const FrameFog& fog, const SpanTable& spans, const DrawItems& items, base::Jobs& jobs,
-                 FrameBuffer& io_frame);
+void fog_band(const FrameFog& fog, const Band& band, const DrawItems& items, base::Arena& arena,
+              FrameBuffer& io_frame);
 
 }  // namespace temblor::render
