@@ -61,10 +61,10 @@ base::Status render_demo(const RenderOptions& options, const GameFolders& folder
   TRY(DemoRun run, DemoRun::start(demo, options.frame, presentation, settings));
   TRY(Film film,
       Film::open(options.out, {options.frame.size, options.frames_per_second, first}, demo.look.palette));
-  const base::Status played = film_frames(run, options, length.first_time_s, {first, end}, film);
+  base::Status played = film_frames(run, options, length.first_time_s, {first, end}, film);
   // What came before a fault is kept.
   TRY_STATUS(film.finish());
-  TRY_STATUS(played);
+  if (!played.ok()) return played;
   if (end < frame_count) return base::Ok{};
   if (length.cut_short)
     print_note(fmt::format("{}: the recording is cut off in its last message", demo.name));
