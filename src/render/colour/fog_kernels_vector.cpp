@@ -32,6 +32,9 @@ struct Depths {
                   _mm512_cmp_ps_mask(quarter[2], bounds, kPredicate),
                   _mm512_cmp_ps_mask(quarter[3], bounds, kPredicate));
   }
+  HWY_INLINE __mmask64 Within(float end, float next_end) const {
+    return Compare<_CMP_LT_OQ>(end) & Compare<_CMP_NLT_UQ>(next_end);
+  }
   // Those that lie exactly on sky + i * step, pixel 0 being number `first` of the row.
   HWY_INLINE __mmask64 OnPlane(float sky, float step, int first) const {
     __mmask16 equal[4];
@@ -70,7 +73,7 @@ HWY_INLINE __m512i LookUp(const uint8_t* table, __m512i indices) {
 }
 
 // 64 pixels at a time. As a rule they share one step of fog, that of the pixels before them; where they do
-// not, each step that is among them has its turn, the nearest first.
+// not, each step that is among them has its turn.
 void FogRowU8(const FogRow& row) {
   auto* const pixels = static_cast<uint8_t*>(row.pixels);
   const float* const ends = row.step_end_depths;
@@ -87,12 +90,16 @@ void FogRowU8(const FogRow& row) {
       fogged = LookUp(row.rows + row.sky_share * kFogSteps / 256 * 256, under);
       remaining &= ~sky;
     }
-    __mmask64 of_step =
-        remaining & depths.Compare<_CMP_LT_OQ>(ends[step]) & depths.Compare<_CMP_NLT_UQ>(ends[step + 1]);
+    __mmask64 of_step = remaining & depths.Within(ends[step], ends[step + 1]);
     for (;;) {
       fogged = _mm512_mask_mov_epi8(fogged, of_step, LookUp(row.rows + step * 256, under));
       remaining &= ~of_step;
       if (remaining == 0) break;
+      // Mostly its neighbour.
+      const bool is_farther = (remaining & depths.Compare<_CMP_LT_OQ>(ends[step + 1])) != 0;
+      step = is_farther ? step + 1 : HWY_MAX(step - 1, 0);
+      of_step = remaining & depths.Within(ends[step], ends[step + 1]);
+      if (of_step != 0) continue;
       step = fog_step_at(ends, depths.Nearest(remaining));
       of_step = remaining & depths.Compare<_CMP_NLT_UQ>(ends[step + 1]);
     }

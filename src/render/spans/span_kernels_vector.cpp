@@ -81,12 +81,6 @@ struct TexelLanes {
   VI column, row;
 };
 
-// What was stored before is loaded after, not kept in registers. (HWY_FENCE would do; the thread sanitizer
-// bars it.)
-HWY_INLINE void KeepInMemory() {
-  __asm__ __volatile__("" : : : "memory");
-}
-
 // How a texture lies in memory.
 struct Rows {
   int texels_a_row, last_row;
@@ -191,29 +185,16 @@ HWY_INLINE hn::Vec<DU> GatherTexels(const uint8_t* texels, VI numbers) {
                  hn::Set(DU(), 255));
 }
 
-// Texels one by one; the last few of a span by a gather, which is slower for many but spares a loop whose end
-// cannot be foreseen.
 template <typename Texel>
 HWY_INLINE void FetchScattered(const Texel* HWY_RESTRICT texels, const Rows& rows, const TexelLanes& at,
                                Texel* HWY_RESTRICT out, int count) {
   const DI di;
-  const DU du;
-  constexpr int kLanes = static_cast<int>(hn::MaxLanes(DU()));
   const VI bias = hn::Set(di, kBias);
   const VI before = hn::Mul(hn::Sub(at.row, bias), hn::Set(di, rows.texels_a_row));
-  const VI positions = hn::Add(before, hn::Sub(at.column, bias));
-  if (count < kLanes) {
-    const VI first_ones = hn::IfThenElseZero(hn::FirstN(di, static_cast<size_t>(count)), positions);
-    StoreTexels(GatherTexels(texels, first_ones), out, count);
-    return;
-  }
-  HWY_ALIGN uint32_t numbers[kMostLanes];
-  hn::Store(hn::BitCast(du, positions), du, numbers);
-  KeepInMemory();  // or the compiler takes the numbers out of the vector lane by lane, which is slower
-  for (int i = 0; i < kLanes; ++i) {
-    out[i] = texels[numbers[i]];
-    KeepInMemory();
-  }
+  VI positions = hn::Add(before, hn::Sub(at.column, bias));
+  if (count < static_cast<int>(hn::Lanes(di)))
+    positions = hn::IfThenElseZero(hn::FirstN(di, static_cast<size_t>(count)), positions);
+  StoreTexels(GatherTexels(texels, positions), out, count);
 }
 
 // kRows: how many rows of texels a vector of pixels is expected to need; 0: more than a window holds.
