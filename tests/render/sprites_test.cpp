@@ -309,6 +309,51 @@ TEST(Sprites, BlendThroughTheTableOrByOpacity) {
   }
 }
 
+TEST(Sprites, AreFoggedBeforeTheyAreBlended) {
+  Random random(8);
+  const render::ViewFrame view = view_of(80, 60, 90, math::Vec3(0.0f), math::Vec3d(0.0));
+  const TestSprite sprite = make_sprite(SprOrientation::kParallel, 50, 40, random);
+  render::SpriteInstance instance = sprite.instance();
+  instance.origin_world = {30, 0, 0};
+  const std::optional<render::SpriteQuad> quad = render::make_sprite_quad(view, instance);
+  ASSERT_TRUE(quad);
+  const render::Fog thick{1.5f, {0.2f, 0.6f, 0.4f}};
+  const double share = 1 - std::exp(-std::pow(1.5 * 30 / 64, 2));
+  const formats::Rgb fog_colour = render::to_bytes(thick.colour);
+  for (const auto format : {render::PixelFormat::kIndexed, render::PixelFormat::kRgb}) {
+    render::FogTables fog_tables;
+    const render::FrameFog fog(thick, true, format, some_tables(), fog_tables, true);
+    const std::uint8_t* const fogged =
+        fog_tables.rows_for(thick.colour, some_tables().palette, some_tables().match) +
+        std::lround(share * render::kFogSteps) * 256;
+    render::FrameBuffer frame(80, 60, format);
+    const Before before = fill(frame, 1.0 / 60, random);
+    const std::uint8_t* const table = some_tables().blends.table_for(0.25f);
+    render::draw_sprite_instance(*quad, {table, 64, &fog}, some_tables(), true, {0, 60}, frame);
+    std::size_t blended = 0;
+    for (std::size_t i = 0; i < frame.pixel_count(); ++i) {
+      const Hit hit = meet(view, instance, static_cast<int>(i % 80), static_cast<int>(i / 80));
+      if (!hit.is_clear || hit.texel == 255 || static_cast<float>(hit.depth) < before.depth[i]) continue;
+      ++blended;
+      const auto texel = static_cast<std::size_t>(hit.texel);
+      if (format == render::PixelFormat::kIndexed) {
+        ASSERT_EQ(pixel_at(frame, i), table[fogged[texel] * 256u + before.pixels[i]]);
+        continue;
+      }
+      const int fog_channels[3] = {fog_colour.b, fog_colour.g, fog_colour.r};
+      for (int channel = 0; channel < 3; ++channel) {
+        const auto of = [&](std::uint32_t colour) {
+          return static_cast<double>(colour >> (8 * channel) & 255);
+        };
+        const double own = of(some_tables().rgb[texel]);
+        const double over = own + (fog_channels[channel] - own) * share;
+        ASSERT_NEAR(of(pixel_at(frame, i)), over * 0.25 + of(before.pixels[i]) * 0.75, 1.1);
+      }
+    }
+    EXPECT_GT(blended, 500u);
+  }
+}
+
 TEST(Sprites, AndParticlesAreTheSameForAnyNumberOfThreads) {
   Random random(9);
   const DrawableLevel drawable = small_level();

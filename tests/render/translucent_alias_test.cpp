@@ -30,16 +30,13 @@ class TranslucentAlias : public testing::TestWithParam<render::PixelFormat> {
         scene_.camera.origin_world + math::Vec3(axes.forward * distance) + random.in_cube(40);
     instance_.angles_deg = random.in_cube(180);
     instance_.full_bright = true;
+    instance_.alpha = 1;
     view_ = render::make_view_frame(scene_, kWidth, kHeight);
     renderer_.render(scene_, {}, background_);
-    renderer_.render(scene_, {}, translucent_);
     scene_.alias_models = {&instance_, 1};
     renderer_.render(scene_, {}, opaque_);
-  }
-  void blend(const render::AliasBlend& blend) {
-    base::Arena arena;
-    render::draw_alias_instance(scene_, {}, view_, instance_, render::AliasRole::kWorld, blend, tables_,
-                                arena, translucent_);
+    instance_.alpha = 0.25f;
+    renderer_.render(scene_, {}, translucent_);
   }
 
   const DrawableLevel drawable_ = small_level();
@@ -54,21 +51,17 @@ class TranslucentAlias : public testing::TestWithParam<render::PixelFormat> {
 };
 
 TEST_P(TranslucentAlias, BlendsWhatTheOpaquePictureShows) {
-  std::vector<std::uint8_t> table(65536);
-  for (std::size_t i = 0; i < table.size(); ++i)
-    table[i] = static_cast<std::uint8_t>(i / 256 * 3 + i % 256 * 5);
+  const std::uint8_t* const table = tables_.blends.table_for(0.25f);
   std::size_t blended = 0;
   for (int seed = 0; seed < effort(30, 6); ++seed) {
     set_up(static_cast<std::uint64_t>(seed));
-    blend({table.data(), 64});
     for (std::size_t i = 0; i < background_.pixel_count(); ++i) {
       const bool shows = opaque_.depth()[i] != background_.depth()[i];
       blended += shows;
       ASSERT_EQ(translucent_.depth()[i], background_.depth()[i]);
       if (GetParam() == render::PixelFormat::kIndexed) {
         const std::uint8_t over = opaque_.indexed()[i], under = background_.indexed()[i];
-        ASSERT_EQ(translucent_.indexed()[i], shows ? static_cast<std::uint8_t>(over * 3 + under * 5) : under)
-            << "seed " << seed;
+        ASSERT_EQ(translucent_.indexed()[i], shows ? table[over * 256 + under] : under) << "seed " << seed;
         continue;
       }
       for (int shift = 0; shift < 24; shift += 8) {
@@ -84,7 +77,6 @@ TEST_P(TranslucentAlias, BlendsWhatTheOpaquePictureShows) {
 
 TEST_P(TranslucentAlias, IsLeftOutByTheOpaqueStage) {
   set_up(3);
-  instance_.alpha = 0.5f;
   render::FrameBuffer frame(kWidth, kHeight, GetParam());
   base::Jobs jobs(1);
   base::Arena arena;

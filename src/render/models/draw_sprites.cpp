@@ -61,38 +61,49 @@ void draw_opaque(SpriteRow row, std::size_t first_pixel, bool vector_kernels, Fr
   }
 }
 
-void blend_texels(std::span<const std::uint8_t> texels, const SpriteBlend& blend, const ColourTables& tables,
-                  std::size_t first_pixel, FrameBuffer& io_frame) {
-  const bool indexed = io_frame.format() == PixelFormat::kIndexed;
-  for (std::size_t i = 0; i < texels.size(); ++i) {
-    if (texels[i] == kClearTexel) continue;
-    if (indexed) {
-      std::uint8_t& pixel = io_frame.indexed()[first_pixel + i];
-      pixel = blend.table[texels[i] * 256 + pixel];
-    } else {
-      std::uint32_t& pixel = io_frame.rgb()[first_pixel + i];
-      pixel = blend_rgb(tables.rgb[texels[i]], pixel, blend.opacity_256);
-    }
-  }
-}
-
-// Which texels show is found out beside the picture, piece by piece.
-void draw_blended(SpriteRow row, const SpriteBlend& blend, const ColourTables& tables,
-                  std::size_t first_pixel, bool vector_kernels, FrameBuffer& io_frame) {
-  constexpr int kPiece = 256;
+// A piece of a sprite's row, drawn beside the picture: which texels show, and how far away.
+constexpr int kPiece = 256;
+struct SpritePiece {
   std::array<std::uint8_t, kPiece> texels;
   std::array<float, kPiece> depth;
-  row.pixels = texels.data();
-  row.frame_depth = depth.data();
+  std::size_t count;
+
+  std::span<const float> depths() const { return std::span(depth).first(count); }
+};
+
+void blend_indexed(SpritePiece& io_piece, const SpriteBlend& blend, std::uint8_t* io_pixels) {
+  if (blend.fog != nullptr) blend.fog->apply(io_piece.texels.data(), io_piece.depths());
+  for (std::size_t i = 0; i < io_piece.count; ++i)
+    if (io_piece.texels[i] != kClearTexel)
+      io_pixels[i] = blend.table[io_piece.texels[i] * 256 + io_pixels[i]];
+}
+
+void blend_rgb_piece(const SpritePiece& piece, const SpriteBlend& blend, const ColourTables& tables,
+                     std::uint32_t* io_pixels) {
+  std::array<std::uint32_t, kPiece> colours;
+  for (std::size_t i = 0; i < piece.count; ++i) colours[i] = tables.rgb[piece.texels[i]];
+  if (blend.fog != nullptr) blend.fog->apply(colours.data(), piece.depths());
+  for (std::size_t i = 0; i < piece.count; ++i)
+    if (piece.texels[i] != kClearTexel) io_pixels[i] = blend_rgb(colours[i], io_pixels[i], blend.opacity_256);
+}
+
+void draw_blended(SpriteRow row, const SpriteBlend& blend, const ColourTables& tables,
+                  std::size_t first_pixel, bool vector_kernels, FrameBuffer& io_frame) {
+  SpritePiece piece;
+  row.pixels = piece.texels.data();
+  row.frame_depth = piece.depth.data();
   const int count = row.count;
   for (row.first = 0; row.first < count; row.first += kPiece) {
     row.count = std::min(kPiece, count - row.first);
-    const std::size_t piece = first_pixel + static_cast<std::size_t>(row.first);
-    std::copy_n(io_frame.depth().data() + piece, row.count, depth.data());
-    std::fill_n(texels.data(), row.count, kClearTexel);
+    piece.count = static_cast<std::size_t>(row.count);
+    const std::size_t pixel = first_pixel + static_cast<std::size_t>(row.first);
+    std::copy_n(io_frame.depth().data() + pixel, piece.count, piece.depth.data());
+    std::fill_n(piece.texels.data(), piece.count, kClearTexel);
     vector_kernels ? draw_sprite_row_u8_vector(row) : draw_sprite_row_u8_plain(row);
-    blend_texels(std::span(texels).first(static_cast<std::size_t>(row.count)), blend, tables, piece,
-                 io_frame);
+    if (io_frame.format() == PixelFormat::kIndexed)
+      blend_indexed(piece, blend, io_frame.indexed().data() + pixel);
+    else
+      blend_rgb_piece(piece, blend, tables, io_frame.rgb().data() + pixel);
   }
 }
 

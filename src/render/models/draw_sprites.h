@@ -6,6 +6,7 @@
 
 #include "base/arena.h"
 #include "render/colour/colour_tables.h"
+#include "render/colour/fog.h"
 #include "render/frame.h"
 #include "render/models/sprite_quad.h"
 #include "render/scene.h"
@@ -17,6 +18,7 @@ namespace temblor::render {
 struct SpriteBlend {
   const std::uint8_t* table = nullptr;  // indexed: [over * 256 + under] is the index to write; null: opaque
   int opacity_256 = 256;                // rgb: 0 to 256
+  const FrameFog* fog = nullptr;        // that lies before it; opaque ones are fogged with the picture
   bool is_opaque(PixelFormat format) const {
     return format == PixelFormat::kIndexed ? table == nullptr : opacity_256 >= 256;
   }

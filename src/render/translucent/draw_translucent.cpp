@@ -76,7 +76,8 @@ class Translucent {
   void draw_sprite(const SpriteInstance& sprite) {
     const std::optional<SpriteQuad> quad = make_sprite_quad(target_.view, sprite);
     if (!quad) return;
-    const SpriteBlend blend{blend_table(sprite.alpha), opacity_256(sprite.alpha)};
+    const SpriteBlend blend{blend_table(sprite.alpha), opacity_256(sprite.alpha),
+                            target_.fog.is_on() ? &target_.fog : nullptr};
     draw_sprite_instance(*quad, blend, target_.tables, settings_.vector_kernels, {0, frame_.height()},
                          frame_);
   }
