@@ -50,7 +50,8 @@ Field random_field(double area_px, bool snapped) {
   return field;
 }
 
-template <typename Pixel, auto Draw>
+// kFronts: as vector code wants triangles.
+template <typename Pixel, auto Draw, bool kFronts>
 void draw_triangles(benchmark::State& state) {
   const Field field = random_field(static_cast<double>(state.range(0)), false);
   std::mt19937 random(2);
@@ -60,19 +61,23 @@ void draw_triangles(benchmark::State& state) {
   std::vector<Pixel> pixels(kScreenWidth * kScreenHeight);
   std::vector<float> depth(pixels.size(), 0.0f);
   const std::size_t count = field.triangles.size() / 3;
-  const render::TriangleJob job{field.vertices.data(),
-                                field.texels.data(),
-                                field.triangles.data(),
-                                field.vertices.size(),
-                                count,
-                                skin.data(),
-                                kSkinSide,
-                                kSkinSide,
-                                colours.data(),
-                                {32768, 30000, 28000},
-                                true};
+  std::vector<render::FrontTriangle> fronts(count);
+  render::TriangleJob job{field.vertices.data(),
+                          field.texels.data(),
+                          field.triangles.data(),
+                          field.vertices.size(),
+                          count,
+                          skin.data(),
+                          kSkinSide,
+                          kSkinSide,
+                          colours.data(),
+                          {32768, 30000, 28000},
+                          true,
+                          fronts.data(),
+                          0};
   const render::TriangleTarget target{pixels.data(), depth.data(), kScreenWidth, 0, 0, kScreenHeight};
   for (auto _ : state) {
+    if constexpr (kFronts) job.front_count = render::find_front_triangles(job, fronts.data());
     Draw(job, target);
     benchmark::ClobberMemory();
   }
@@ -83,22 +88,22 @@ void areas(benchmark::internal::Benchmark* benchmark) {
   for (const int area_px : {1, 2, 3, 4, 8, 16, 32, 64, 128}) benchmark->Arg(area_px);
 }
 
-BENCHMARK(draw_triangles<std::uint8_t, render::draw_triangles_u8_vector>)
+BENCHMARK(draw_triangles<std::uint8_t, render::draw_triangles_u8_vector, true>)
     ->Name("triangles/indexed/affine/vector")
     ->Apply(areas);
-BENCHMARK(draw_triangles<std::uint8_t, render::draw_triangles_u8_plain>)
+BENCHMARK(draw_triangles<std::uint8_t, render::draw_triangles_u8_plain, false>)
     ->Name("triangles/indexed/affine/plain")
     ->Apply(areas);
-BENCHMARK(draw_triangles<std::uint8_t, render::subdivide_triangles_u8>)
+BENCHMARK(draw_triangles<std::uint8_t, render::subdivide_triangles_u8, false>)
     ->Name("triangles/indexed/subdivision")
     ->Apply(areas);
-BENCHMARK(draw_triangles<std::uint32_t, render::draw_triangles_u32_vector>)
+BENCHMARK(draw_triangles<std::uint32_t, render::draw_triangles_u32_vector, true>)
     ->Name("triangles/rgb/affine/vector")
     ->Apply(areas);
-BENCHMARK(draw_triangles<std::uint32_t, render::draw_triangles_u32_plain>)
+BENCHMARK(draw_triangles<std::uint32_t, render::draw_triangles_u32_plain, false>)
     ->Name("triangles/rgb/affine/plain")
     ->Apply(areas);
-BENCHMARK(draw_triangles<std::uint32_t, render::subdivide_triangles_u32>)
+BENCHMARK(draw_triangles<std::uint32_t, render::subdivide_triangles_u32, false>)
     ->Name("triangles/rgb/subdivision")
     ->Apply(areas);
 

@@ -72,7 +72,18 @@ render::TriangleJob job_of(const Mesh& mesh, const std::vector<std::uint8_t>& sk
           kSkinHeight,
           colours.data(),
           {32768, 20000, 9000},
-          perspective};
+          perspective,
+          nullptr,
+          0};
+}
+
+// As vector code wants it.
+template <auto Draw>
+void draw_fronts(render::TriangleJob job, const render::TriangleTarget& target) {
+  std::vector<render::FrontTriangle> fronts(job.triangle_count);
+  job.front_count = render::find_front_triangles(job, fronts.data());
+  job.fronts = fronts.data();
+  Draw(job, target);
 }
 
 ScreenVertex random_vertex(Random& random, double spread_px, bool snapped) {
@@ -263,8 +274,8 @@ void expect_twins() {
     // In two bands, of which one is not there for the vectors.
     const int middle = static_cast<int>(random.below(kHeight));
     Plain(job, {expected.pixels.data(), expected.depth.data(), kWidth, 0, 0, kHeight});
-    Vector(job, {drawn.pixels.data(), drawn.depth.data(), kWidth, 0, 0, middle});
-    Vector(job, {drawn.pixels.data(), drawn.depth.data(), kWidth, 0, middle, kHeight});
+    draw_fronts<Vector>(job, {drawn.pixels.data(), drawn.depth.data(), kWidth, 0, 0, middle});
+    draw_fronts<Vector>(job, {drawn.pixels.data(), drawn.depth.data(), kWidth, 0, middle, kHeight});
     ASSERT_TRUE(expected == drawn) << "seed " << seed;
   }
 }
@@ -293,7 +304,7 @@ TEST(TriangleKernels, WriteOnlyToThePicture) {
     Canvas<std::uint32_t> canvas;
     const render::TriangleTarget target{canvas.pixels.data(), canvas.depth.data(), kWidth, 0, 5, kHeight};
     render::draw_triangles_u32_plain(job_of(mesh, skin, colours.table, true), target);
-    render::draw_triangles_u32_vector(job_of(mesh, skin, colours.table, true), target);
+    draw_fronts<render::draw_triangles_u32_vector>(job_of(mesh, skin, colours.table, true), target);
     for (std::size_t i = 0; i < canvas.pixels.size(); ++i) {
       const bool is_outside = i < 5 * kWidth || i >= kWidth * kHeight;
       ASSERT_TRUE(!is_outside || canvas.pixels[i] == 77) << "seed " << seed;

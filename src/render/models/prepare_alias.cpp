@@ -92,6 +92,11 @@ PreparedAlias prepare_alias(const Scene& scene, const Settings& settings, const 
   for (int channel = 0; channel < 3; ++channel)
     job.tint[channel] = static_cast<std::int32_t>(light.colour[channel] * 32768.0f + 0.5f);
   job.perspective = placement.perspective && !settings.alias_snap;
+  if (settings.vector_kernels && !prepared.by_subdivision) {
+    const std::span<FrontTriangle> fronts = arena.allocate<FrontTriangle>(job.triangle_count);
+    job.front_count = find_front_triangles(job, fronts.data());
+    job.fronts = fronts.data();
+  }
   return prepared;
 }
 

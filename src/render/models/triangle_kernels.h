@@ -13,6 +13,13 @@ struct TexelPoint {
   float s, t;
 };
 
+// A triangle whose front is seen and that has rows and columns between its corners; those smaller than a
+// pixel often have none.
+struct FrontTriangle {
+  std::uint32_t corners[3];
+  std::int16_t first_row, row_end;  // of those below row 0 or beyond 32767: cut off there
+};
+
 struct TriangleJob {
   const ScreenVertex* vertices;
   const TexelPoint* texels;        // by vertex
@@ -25,7 +32,13 @@ struct TriangleJob {
   const void* colours;
   std::int32_t tint[3];  // 32-bit colours: red, green, blue of the light, of 32768
   bool perspective;      // false: affine whatever the triangle's size
+  // What vector code draws, in the order of `triangles`: found once for all the bands of a picture.
+  const FrontTriangle* fronts;
+  std::size_t front_count;
 };
+
+// Room for job.triangle_count. Returns how many there are.
+std::size_t find_front_triangles(const TriangleJob& job, FrontTriangle* out);
 
 // Rows of `width` pixels; the first one in memory is `first_row` of the picture. What lies from row_begin to
 // row_end is drawn.
@@ -41,7 +54,7 @@ constexpr float kAffineErrorTexels = 0.5f;
 constexpr float kBrightestLight = 32640.0f;  // 32-bit colours
 constexpr float kDarkestRow = 16383.0f;      // bytes
 
-// Scan line by scan line (affine_triangle.h).
+// Scan line by scan line (affine_triangle.h); vector code draws the job's `fronts`.
 void draw_triangles_u8_plain(const TriangleJob& job, const TriangleTarget& target);
 void draw_triangles_u32_plain(const TriangleJob& job, const TriangleTarget& target);
 // These may read three bytes past the skin and the colours.

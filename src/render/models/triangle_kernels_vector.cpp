@@ -77,18 +77,6 @@ HWY_INLINE int FirstPixel(int y) {
   return (y + (kSubpixels - 1)) >> 8;
 }
 
-// Its front is seen, and there are rows and columns between its corners: triangles smaller than a pixel often
-// have none.
-HWY_INLINE size_t MayShow(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
-                          const TriangleTarget& target) {
-  const int left = FirstPixel(HWY_MIN(HWY_MIN(a.x, b.x), c.x)),
-            right = FirstPixel(HWY_MAX(HWY_MAX(a.x, b.x), c.x));
-  const int top = FirstPixel(HWY_MIN(HWY_MIN(a.y, b.y), c.y)),
-            bottom = FirstPixel(HWY_MAX(HWY_MAX(a.y, b.y), c.y));
-  return static_cast<size_t>(Cross(a, b, c) > 0) & static_cast<size_t>(left < right) &
-         static_cast<size_t>(HWY_MAX(top, target.row_begin) < HWY_MIN(bottom, target.row_end));
-}
-
 HWY_INLINE float Least(float a, float b, float c) {
   return HWY_MIN(HWY_MIN(a, b), c);
 }
@@ -115,12 +103,13 @@ HWY_INLINE void AddSide(const ScreenVertex& from, const ScreenVertex& to, Setup&
                                            static_cast<double>(dy * kSubpixels * sign), dy < 0};
 }
 
-HWY_INLINE Setup SetUp(const TriangleJob& job, const uint32_t* index, const TriangleTarget& target) {
+HWY_INLINE Setup SetUp(const TriangleJob& job, const FrontTriangle& triangle, const TriangleTarget& target) {
+  const uint32_t* const index = triangle.corners;
   const ScreenVertex &a = job.vertices[index[0]], &b = job.vertices[index[1]], &c = job.vertices[index[2]];
   const TexelPoint &ta = job.texels[index[0]], &tb = job.texels[index[1]], &tc = job.texels[index[2]];
   Setup setup;
-  setup.first_row = HWY_MAX(FirstPixel(HWY_MIN(HWY_MIN(a.y, b.y), c.y)), target.row_begin);
-  setup.row_end = HWY_MIN(FirstPixel(HWY_MAX(HWY_MAX(a.y, b.y), c.y)), target.row_end);
+  setup.first_row = HWY_MAX(triangle.first_row, target.row_begin);
+  setup.row_end = HWY_MIN(triangle.row_end, target.row_end);
   setup.side_count = 0;
   AddSide(a, b, setup);
   AddSide(b, c, setup);
@@ -337,10 +326,12 @@ HWY_INLINE void DrawRows(const TriangleJob& job, const Setup& setup, const Trian
 // Asks for the rows that a triangle will be drawn to: the picture is larger than the near caches, and no
 // pattern tells the processor where the next triangle lies.
 template <typename Pixel>
-HWY_INLINE void PrefetchRows(const TriangleJob& job, const uint32_t* index, const TriangleTarget& target) {
+HWY_INLINE void PrefetchRows(const TriangleJob& job, const FrontTriangle& triangle,
+                             const TriangleTarget& target) {
+  const uint32_t* const index = triangle.corners;
   const ScreenVertex &a = job.vertices[index[0]], &b = job.vertices[index[1]], &c = job.vertices[index[2]];
-  const int first_row = HWY_MAX(FirstPixel(HWY_MIN(HWY_MIN(a.y, b.y), c.y)), target.row_begin);
-  const int row_end = HWY_MIN(FirstPixel(HWY_MAX(HWY_MAX(a.y, b.y), c.y)), target.row_end);
+  const int first_row = HWY_MAX(triangle.first_row, target.row_begin);
+  const int row_end = HWY_MIN(triangle.row_end, target.row_end);
   const int x = HWY_MAX(FirstPixel(HWY_MIN(HWY_MIN(a.x, b.x), c.x)), 0);
   if (x >= target.width) return;
   size_t pixel = static_cast<size_t>(first_row - target.first_row) * static_cast<size_t>(target.width) +
@@ -354,20 +345,20 @@ HWY_INLINE void PrefetchRows(const TriangleJob& job, const uint32_t* index, cons
 
 template <typename Pixel>
 HWY_INLINE void DrawTriangles(const TriangleJob& job, const TriangleTarget& target) {
-  // What shows is sorted out ahead, without a branch: which way a triangle faces cannot be foreseen.
+  // Those of these rows are sorted out ahead, without a branch.
   constexpr size_t kBatch = 256;
-  const uint32_t* fronts[kBatch];
-  for (size_t begin = 0; begin < job.triangle_count; begin += kBatch) {
-    const size_t end = HWY_MIN(begin + kBatch, job.triangle_count);
+  const FrontTriangle* here[kBatch];
+  for (size_t begin = 0; begin < job.front_count; begin += kBatch) {
+    const size_t end = HWY_MIN(begin + kBatch, job.front_count);
     size_t count = 0;
     for (size_t i = begin; i < end; ++i) {
-      const uint32_t* index = job.triangles + i * 3;
-      fronts[count] = index;
-      count += MayShow(job.vertices[index[0]], job.vertices[index[1]], job.vertices[index[2]], target);
+      here[count] = job.fronts + i;
+      count += static_cast<size_t>(job.fronts[i].row_end > target.row_begin) &
+               static_cast<size_t>(job.fronts[i].first_row < target.row_end);
     }
     for (size_t i = 0; i < count; ++i) {
-      if (i + kAhead < count) PrefetchRows<Pixel>(job, fronts[i + kAhead], target);
-      const Setup setup = SetUp(job, fronts[i], target);
+      if (i + kAhead < count) PrefetchRows<Pixel>(job, *here[i + kAhead], target);
+      const Setup setup = SetUp(job, *here[i], target);
       if (setup.perspective)
         DrawRows<Pixel, true>(job, setup, target);
       else
