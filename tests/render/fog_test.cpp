@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -96,6 +97,21 @@ void plain_u8(const FogRow& row) {
 }
 void plain_u32(const FogRow& row) {
   render::fog_row_u32_plain(row);
+}
+
+TEST(FogCurve, IsTheFormulaInSteps) {
+  const render::FogCurve curve = render::make_fog_curve();
+  for (int step = 1; step <= render::kFogSteps; ++step) {
+    const double end = static_cast<double>(curve.step_ends[step]);
+    EXPECT_NEAR(1 - std::exp(-1 / (end * end)), (step - 0.5) / render::kFogSteps, 1e-6);
+  }
+  for (float x = render::kLeastNearness; x < render::kMostNearness; x *= 1.001f) {
+    const auto piece = std::bit_cast<std::uint32_t>(x) >> 22 & 15;
+    float share = 0;
+    for (int power = 3; power >= 0; --power) share = share * x + curve.cubic[power][piece];
+    const double nearness = static_cast<double>(x);
+    ASSERT_NEAR(static_cast<double>(share), 256 * (1 - std::exp(-1 / (nearness * nearness))) + 0.5, 0.1) << x;
+  }
 }
 
 TEST(FogRow, FollowsTheFormula) {

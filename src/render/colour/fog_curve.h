@@ -17,8 +17,8 @@ struct FogCurve {
   float step_ends[kFogSteps + 2];
 
   // In 256ths, plus a half that makes cutting off round: a cubic in x for each half octave, from 2^n to
-  // 1.5 * 2^n and on to 2^(n+1). piece_of(x) says which; coefficients of x^power are cubic[power]. Off by
-  // less than a tenth of a step.
+  // 1.5 * 2^n and on to 2^(n+1): bits 22 to 25 of x as a float say which. Coefficients of x^power are
+  // cubic[power]. Off by less than a tenth of a step.
   float cubic[4][kFogPieces];
 };
 
