@@ -61,7 +61,7 @@ int main(int count, char** arguments) {
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
   temblor::bench::KeepingReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
-  const std::vector<int> sides = {5, 7, 10, 15, 20, 30, 60, 102}, areas = {1, 2, 3, 4, 8, 16, 32, 64, 128};
+  const std::vector<int> sides = {5, 7, 10, 15, 20, 30, 60, 91}, areas = {1, 2, 3, 4, 8, 16, 32, 64, 128};
   for (const Comparison& comparison : {
            Comparison{"whole models, indexed", "mean side in pixels", 0.1, "models/indexed/affine/",
                       "models/indexed/subdivision/", "20 %", sides},

@@ -241,9 +241,9 @@ void Effects::State::shine(const SeenEntity& entity, bool rocket, double time_s)
 }
 
 std::optional<Beams::Held> Effects::State::held_beam(const Moment& moment) const {
-  for (const SeenEntity& entity : moment.entities)
-    if (entity.number == moment.view_entity) return Beams::Held{entity.number, entity.origin_world};
-  return std::nullopt;
+  const SeenEntity* const viewer = find_entity(moment.entities, moment.view_entity);
+  if (viewer == nullptr) return std::nullopt;
+  return Beams::Held{viewer->number, viewer->origin_world};
 }
 
 Effects::Effects(std::uint32_t seed) : state_(std::make_unique<State>(seed)) {}

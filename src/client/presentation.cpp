@@ -3,17 +3,6 @@
 #include <algorithm>
 
 namespace temblor::client {
-namespace {
-
-// The one that the view is seen from, if the last packet showed it.
-const SeenEntity* find_entity(std::span<const SeenEntity> entities, std::uint32_t number) {
-  const auto found =
-      std::lower_bound(entities.begin(), entities.end(), number,
-                       [](const SeenEntity& entity, std::uint32_t wanted) { return entity.number < wanted; });
-  return found != entities.end() && found->number == number ? &*found : nullptr;
-}
-
-}  // namespace
 
 Presentation::Presentation(const assets::Library& library)
     : library_(library), pictures_(library.pictures(notes_)), hud_(pictures_) {}

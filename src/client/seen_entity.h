@@ -1,7 +1,9 @@
 // An entity at the moment of drawing: interpolated, so that it moves smoothly between two updates.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 
 #include "math/vec.h"
 
@@ -41,5 +43,13 @@ struct SeenEntity {
 
   static constexpr std::uint32_t kFirstStatic = 1u << 16;
 };
+
+// `entities` are in order of number. Null: it is not among them.
+inline const SeenEntity* find_entity(std::span<const SeenEntity> entities, std::uint32_t number) {
+  const auto found =
+      std::lower_bound(entities.begin(), entities.end(), number,
+                       [](const SeenEntity& entity, std::uint32_t wanted) { return entity.number < wanted; });
+  return found != entities.end() && found->number == number ? &*found : nullptr;
+}
 
 }  // namespace temblor::client

@@ -4,8 +4,6 @@
 
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
@@ -16,11 +14,6 @@ namespace temblor::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string read_all(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // Where the first packet that begins past `offset` has its first message: a recording is a line of text, then
 // packets, each behind its length and three angles.
@@ -46,7 +39,7 @@ class DemoProgram : public ::testing::Test {
   }
   // A stock recording's first `bytes` bytes, all for 0.
   std::string recording(const std::string& name, std::size_t bytes = 0) const {
-    const std::string whole = read_all(data_ / "id1" / (name + ".dem"));
+    const std::string whole = read_text(data_ / "id1" / (name + ".dem"));
     return bytes == 0 ? whole : whole.substr(0, bytes);
   }
 
@@ -75,7 +68,7 @@ TEST_F(DemoProgram, FrameIsTheSameWhereverTheFilmBegan) {
   };
   film("58:61", "a-%d.png");
   film("60:61", "b-%d.png");
-  EXPECT_EQ(read_all(folder_.path() / "a-60.png"), read_all(folder_.path() / "b-60.png"));
+  EXPECT_EQ(read_text(folder_.path() / "a-60.png"), read_text(folder_.path() / "b-60.png"));
 }
 
 TEST_F(DemoProgram, RecordingOnDiskThatIsCutOffGivesAWholeFilmOfWhatIsThere) {

@@ -5,21 +5,15 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 #include "app/child_process.h"
+#include "app/program.h"
 #include "artgen/palette.h"
 #include "support/random.h"
 #include "support/temporary_folder.h"
 
 namespace temblor::app {
 namespace {
-
-std::string read_all(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // A frame in one colour.
 render::FrameBuffer plain_frame(FrameSize size, std::uint32_t rgb) {
@@ -53,7 +47,7 @@ TEST(Film, Y4mHasAHeaderAndPlanesForEachFrame) {
   ASSERT_TRUE(film.finish().ok());
   const std::string white = std::string(15, '\xeb') + std::string(30, '\x80');  // 235, 128, 128
   const std::string black = std::string(15, '\x10') + std::string(30, '\x80');  // 16, 128, 128
-  EXPECT_EQ(read_all(path), "YUV4MPEG2 W5 H3 F25:1 Ip A1:1 C444\nFRAME\n" + white + "FRAME\n" + black);
+  EXPECT_EQ(test::read_text(path), "YUV4MPEG2 W5 H3 F25:1 Ip A1:1 C444\nFRAME\n" + white + "FRAME\n" + black);
 }
 
 // ITU-R BT.601 in floating point.
@@ -67,7 +61,7 @@ TEST(Film, Y4mColoursFollowTheStandard) {
   Film film = Film::open(path, {size, 25}, artgen::make_palette()).value();
   ASSERT_TRUE(film.add(frame).ok());
   ASSERT_TRUE(film.finish().ok());
-  const std::string bytes = read_all(path);
+  const std::string bytes = test::read_text(path);
   const std::size_t count = frame.pixel_count(), first = bytes.size() - 3 * count;
   for (std::size_t i = 0; i < count; ++i) {
     const double r = frame.rgb()[i] >> 16 & 255, g = frame.rgb()[i] >> 8 & 255, b = frame.rgb()[i] & 255;
@@ -108,7 +102,7 @@ TEST(Film, Mp4IsReadByFfmpegWithEveryFrame) {
                                             "csv=p=0", "-o", report.string(), "file:" + path.string()})
                            .value();
   ASSERT_TRUE(probe.finish().ok());
-  EXPECT_EQ(read_all(report), "102,76,24/1,7\n");
+  EXPECT_EQ(test::read_text(report), "102,76,24/1,7\n");
 }
 
 TEST(Film, FolderThatIsNotThereIsAnError) {
@@ -158,7 +152,7 @@ TEST(ChildProcess, WhatIsWrittenArrives) {
   for (int i = 0; i < 100000; ++i) text += std::to_string(i) + "\n";
   ASSERT_TRUE(process.write(base::as_bytes(text)).ok());
   ASSERT_TRUE(process.finish().ok());
-  EXPECT_EQ(read_all(path), text);
+  EXPECT_EQ(test::read_text(path), text);
 }
 
 }  // namespace

@@ -28,11 +28,11 @@ std::string quoted(const std::string& word) {
   return text;
 }
 
+}  // namespace
+
 std::string read_text(const std::filesystem::path& path) {
   return std::string(base::as_text(read_file(path)));
 }
-
-}  // namespace
 
 ProgramRun run_program(const std::filesystem::path& folder, const std::vector<std::string>& words) {
   const TemporaryFolder outputs;

@@ -17,6 +17,9 @@ struct ProgramRun {
 // Runs it in `folder`. The words reach it as they are; no shell rule applies to them.
 ProgramRun run_program(const std::filesystem::path& folder, const std::vector<std::string>& words);
 
+// A whole file, as it is. CHECKs that it is there.
+std::string read_text(const std::filesystem::path& path);
+
 // Whether the text is one line that starts with "temblor: ".
 bool is_one_error_line(std::string_view text);
 

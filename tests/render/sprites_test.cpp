@@ -273,28 +273,37 @@ TEST(Sprites, OpaqueOnesOfOneDepthHideWhatCameBefore) {
   EXPECT_GT(std::count(frame.indexed().begin(), frame.indexed().end(), 2), 500);
 }
 
+// One square with the picture, 30 units before the eye.
+struct FacingSprite {
+  explicit FacingSprite(Random& io_random)
+      : sprite(make_sprite(SprOrientation::kParallel, 50, 40, io_random)), instance(sprite.instance()) {
+    instance.origin_world = {30, 0, 0};
+    quad = render::make_sprite_quad(view, instance);
+  }
+
+  render::ViewFrame view = view_of(80, 60, 90, math::Vec3(0.0f), math::Vec3d(0.0));
+  TestSprite sprite;
+  render::SpriteInstance instance;
+  std::optional<render::SpriteQuad> quad;
+};
+
 TEST(Sprites, BlendThroughTheTableOrByOpacity) {
   Random random(8);
-  const render::ViewFrame view = view_of(80, 60, 90, math::Vec3(0.0f), math::Vec3d(0.0));
-  const TestSprite sprite = make_sprite(SprOrientation::kParallel, 50, 40, random);
-  render::SpriteInstance instance = sprite.instance();
-  instance.origin_world = {30, 0, 0};
-  instance.alpha = 0.25f;
+  const FacingSprite facing(random);
   std::vector<std::uint8_t> table(65536);
   for (std::uint8_t& entry : table) entry = static_cast<std::uint8_t>(random.bits());
-  const std::optional<render::SpriteQuad> quad = render::make_sprite_quad(view, instance);
-  ASSERT_TRUE(quad);
+  ASSERT_TRUE(facing.quad);
   for (const auto format : {render::PixelFormat::kIndexed, render::PixelFormat::kRgb}) {
     render::FrameBuffer frame(80, 60, format);
     const Before before = fill(frame, 1.0 / 30, random);
     const render::SpriteBlend blend{table.data(), 64};
     for (int row = 0; row < 60; row += 7)
-      render::draw_sprite_instance(*quad, blend, some_tables(), row % 2 == 0, {row, std::min(row + 7, 60)},
-                                   frame);
+      render::draw_sprite_instance(*facing.quad, blend, some_tables(), row % 2 == 0,
+                                   {row, std::min(row + 7, 60)}, frame);
     std::size_t blended = 0;
     for (int y = 0; y < 60; ++y)
       for (int x = 0; x < 80; ++x) {
-        const Hit hit = meet(view, instance, x, y);
+        const Hit hit = meet(facing.view, facing.instance, x, y);
         const std::size_t i = static_cast<std::size_t>(y * 80 + x);
         ASSERT_EQ(frame.depth()[i], before.depth[i]) << "what can be seen through leaves no depth";
         if (!hit.is_clear || hit.texel == 255 || static_cast<float>(hit.depth) < before.depth[i]) continue;
@@ -311,12 +320,8 @@ TEST(Sprites, BlendThroughTheTableOrByOpacity) {
 
 TEST(Sprites, AreFoggedBeforeTheyAreBlended) {
   Random random(8);
-  const render::ViewFrame view = view_of(80, 60, 90, math::Vec3(0.0f), math::Vec3d(0.0));
-  const TestSprite sprite = make_sprite(SprOrientation::kParallel, 50, 40, random);
-  render::SpriteInstance instance = sprite.instance();
-  instance.origin_world = {30, 0, 0};
-  const std::optional<render::SpriteQuad> quad = render::make_sprite_quad(view, instance);
-  ASSERT_TRUE(quad);
+  const FacingSprite facing(random);
+  ASSERT_TRUE(facing.quad);
   const render::Fog thick{1.5f, {0.2f, 0.6f, 0.4f}};
   const double share = 1 - std::exp(-std::pow(1.5 * 30 / 64, 2));
   const formats::Rgb fog_colour = render::to_bytes(thick.colour);
@@ -329,10 +334,10 @@ TEST(Sprites, AreFoggedBeforeTheyAreBlended) {
     render::FrameBuffer frame(80, 60, format);
     const Before before = fill(frame, 1.0 / 60, random);
     const std::uint8_t* const table = some_tables().blends.table_for(0.25f);
-    render::draw_sprite_instance(*quad, {table, 64, &fog}, some_tables(), true, {0, 60}, frame);
+    render::draw_sprite_instance(*facing.quad, {table, 64, &fog}, some_tables(), true, {0, 60}, frame);
     std::size_t blended = 0;
     for (std::size_t i = 0; i < frame.pixel_count(); ++i) {
-      const Hit hit = meet(view, instance, static_cast<int>(i % 80), static_cast<int>(i / 80));
+      const Hit hit = meet(facing.view, facing.instance, static_cast<int>(i % 80), static_cast<int>(i / 80));
       if (!hit.is_clear || hit.texel == 255 || static_cast<float>(hit.depth) < before.depth[i]) continue;
       ++blended;
       const auto texel = static_cast<std::size_t>(hit.texel);
