@@ -13,15 +13,43 @@ function(temblor_library name)
   target_link_libraries(temblor_${name} PUBLIC temblor_flags ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
 endfunction()
 
-# temblor_test(NAME [DEPENDS ...]): tests/NAME/*.cpp as one GoogleTest program, with its tests known to ctest.
+# What all tests are compiled with: GoogleTest's headers, parsed once a build.
+function(temblor_test_flags)
+  add_library(temblor_test_flags INTERFACE)
+  target_link_libraries(temblor_test_flags INTERFACE temblor::base GTest::gmock)
+  if(TEMBLOR_SANITIZE MATCHES "undefined")
+    # A test's own pointers are left to the address sanitizer: these checks are a quarter of the time to compile one.
+    target_compile_options(temblor_test_flags INTERFACE -fno-sanitize=null,alignment,object-size,vptr)
+  endif()
+  # Only g++ reads one target's precompiled header into another that has further definitions.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(temblor_test_flags INTERFACE -fpch-preprocess)  # lets ccache know it
+    file(WRITE "${CMAKE_BINARY_DIR}/test_headers.cpp" "")
+    add_library(temblor_test_headers OBJECT "${CMAKE_BINARY_DIR}/test_headers.cpp")
+    target_link_libraries(temblor_test_headers PRIVATE temblor_test_flags)
+    target_precompile_headers(temblor_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
+  endif()
+endfunction()
+
+# temblor_test(NAME [DEPENDS ...]): tests/NAME/*.cpp as one GoogleTest program, with its tests known to ctest. Of files
+# NAME_test.cpp, those in which TEMBLOR_TESTS_LIKE is found.
 function(temblor_test name)
   cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/tests/${name}/*.cpp")
+  foreach(source IN LISTS sources)
+    file(STRINGS "${source}" found REGEX "${TEMBLOR_TESTS_LIKE}" LIMIT_COUNT 1)
+    if(source MATCHES "_test\\.cpp$" AND NOT found)
+      list(REMOVE_ITEM sources "${source}")
+    endif()
+  endforeach()
   if(NOT sources)
     return()
   endif()
   add_executable(${name}_test ${sources})
   target_include_directories(${name}_test PRIVATE "${CMAKE_SOURCE_DIR}/tests")
-  target_link_libraries(${name}_test PRIVATE ${ARG_DEPENDS} temblor_flags GTest::gtest_main GTest::gmock)
+  target_link_libraries(${name}_test PRIVATE ${ARG_DEPENDS} temblor_test_flags GTest::gtest_main)
+  if(TARGET temblor_test_headers)
+    target_precompile_headers(${name}_test REUSE_FROM temblor_test_headers)
+  endif()
   gtest_discover_tests(${name}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 1200)
 endfunction()

@@ -7,7 +7,10 @@ cd "$(dirname "$0")/.." || exit 1
 
 CTEST_PARALLEL_LEVEL=$(nproc)
 export CTEST_PARALLEL_LEVEL
-if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
+if command -v ccache >/dev/null; then
+  export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  export CCACHE_SLOPPINESS=pch_defines,time_macros  # without it what has a precompiled header is not cached
+fi
 passed=0 failed=0 skipped=0
 configure_options=()  # for the next build
 launcher=()           # what the next build and suite run under

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench_report.h"
+#include "app/command_line.h"
 #include "app/diagnostics.h"
 #include "app/level_loading.h"
 #include "app/measurement.h"

@@ -1,7 +1,6 @@
 // `temblor bench`: how fast levels and recordings are drawn, and what each stage costs.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 #include <vector>
 
@@ -9,6 +8,10 @@
 #include "base/result.h"
 #include "client/presentation.h"
 #include "render/renderer.h"
+
+namespace CLI {
+class App;
+}
 
 namespace temblor::app {
 

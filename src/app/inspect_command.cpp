@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <CLI/App.hpp>
+
 #include "app/inspection.h"
 
 namespace temblor::app {

@@ -1,10 +1,13 @@
 // `temblor inspect`: what a file holds, and what is wrong with it.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 
 #include "base/result.h"
+
+namespace CLI {
+class App;
+}
 
 namespace temblor::app {
 

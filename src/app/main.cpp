@@ -1,15 +1,14 @@
 // The program: reads the command line and runs one command.
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
 #include "app/bench_command.h"
 #include "app/client_variables.h"
+#include "app/command_line.h"
 #include "app/diagnostics.h"
 #include "app/inspect_command.h"
-#include "app/options.h"
 #include "app/render_command.h"
 #include "app/render_settings.h"
 #include "app/settings_command.h"
@@ -71,7 +70,13 @@ base::Status run(const Commands& commands) {
 }
 
 // What is wrong with the command line, in our words where CLI11's would mislead.
-std::string describe_parse_error(const CLI::App& program, const CLI::ParseError& error) {
+std::string describe_parse_error(const CLI::App& program, const CommonOptions& options,
+                                 const CLI::ParseError& error) {
+  // A shell variable that is empty leaves --basedir without its folder, and the command is taken for it.
+  const std::string& folder = options.folders.base_folder;
+  const auto is_folder = [&](const CLI::App* command) { return command->get_name() == folder; };
+  if (program.get_subcommands().empty() && !program.get_subcommands(is_folder).empty())
+    return fmt::format("--basedir is followed by the command \"{}\" where the folder should be", folder);
   const std::vector<std::string> unknown = program.remaining();
   if (program.get_subcommands().empty() && !unknown.empty())
     return fmt::format("there is no command or option \"{}\"", unknown.front());
@@ -87,7 +92,8 @@ int run_program(int argument_count, const char* const* arguments) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
       return program.exit(error);  // --help and --version, printed to standard output
-    print_error(base::Error{base::ErrorCode::kUsage, describe_parse_error(program, error), {}});
+    print_error(
+        base::Error{base::ErrorCode::kUsage, describe_parse_error(program, commands.common, error), {}});
     return kExitUsage;
   }
   const base::Status status = run(commands);

@@ -1,7 +1,7 @@
-// What the commands' options have in common: their types, and reading them from text.
+// What the commands' options have in common: their types, and reading them from text. They become options of
+// the command line in command_line.h.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -56,26 +56,8 @@ base::Result<math::Vec3> parse_vec3(std::string_view text);
 base::Result<render::PixelFormat> parse_color(std::string_view text);
 const char* name_of(render::PixelFormat format);
 
-void add_common_options(CLI::App& program, CommonOptions& io_options);
-// The initial values of `io_options` are the defaults.
-void add_frame_options(CLI::App& command, FrameOptions& io_options);
-
 // Sets the variables that --set, --show and --threads name; errors are kUsage.
 base::Status apply_options(const CommonOptions& options, std::optional<int> threads,
                            command::Variables& io_variables);
-
-// Adds an option that `parse` reads; its error becomes CLI11's. `value` may also be a std::optional<T>.
-template <typename T, typename Value>
-CLI::Option* add_parsed_option(CLI::App& command, const std::string& name, Value& value,
-                               base::Result<T> (*parse)(std::string_view), const std::string& help) {
-  return command.add_option_function<std::string>(
-      name,
-      [name, &value, parse](const std::string& text) {
-        const base::Result<T> parsed = parse(text);
-        if (!parsed.ok()) throw CLI::ValidationError(name, parsed.error().what);
-        value = parsed.value();
-      },
-      help);
-}
 
 }  // namespace temblor::app

@@ -1,5 +1,6 @@
 #include "app/render_command.h"
 
+#include "app/command_line.h"
 #include "app/diagnostics.h"
 #include "app/film.h"
 #include "app/frame_report.h"

@@ -1,7 +1,6 @@
 // `temblor render`: pictures and films of a level or a recording, without a display.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 
@@ -11,6 +10,10 @@
 #include "command/variables.h"
 #include "render/renderer.h"
 #include "render/scene.h"
+
+namespace CLI {
+class App;
+}
 
 namespace temblor::app {
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <CLI/App.hpp>
+
 namespace temblor::app {
 
 CLI::App* add_settings_command(CLI::App& program) {

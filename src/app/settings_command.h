@@ -1,9 +1,11 @@
 // `temblor settings`: every console variable with its value and help.
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include "command/variables.h"
+
+namespace CLI {
+class App;
+}
 
 namespace temblor::app {
 

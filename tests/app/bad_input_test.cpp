@@ -35,6 +35,7 @@ TEST(BadInput, WrongCommandLinesAreUsageErrors) {
       {{}, "--help"},
       {{"frobnicate"}, "frobnicate"},
       {{"--frobnicate"}, "--frobnicate"},
+      {{"--basedir", "render", "--map", "start", "-o", "x.png"}, "--basedir is followed by"},
       {{"render"}, "--output"},
       {{"render", "-o"}, "--output"},
       {{"render", "-o", "x.jpg"}, ".png"},

@@ -32,7 +32,7 @@ DrawableLevel with_gratings(const DrawableLevel& drawable) {
   level->identity = std::make_shared<const world::LevelIdentity>();
   for (world::Texture& texture : level->textures) {
     if (texture.name != "door" && texture.name != "trim") continue;
-    texture.name.insert(0, "{");
+    texture.name = "{" + texture.name;
     texture.kind = world::TextureKind::kCutout;
     for (std::uint32_t y = 0; y < texture.height; ++y)
       for (std::uint32_t x = 0; x < texture.width; ++x)
