@@ -17,8 +17,12 @@ std::span<const GoldenScene> golden_scenes() {
        "a pool whose ground shows through, a ball half in the water, a grating before it and a glassy one "
        "behind",
        PixelFormat::kIndexed, draw_see_through},
+      {"see_through_rgb", "the same; no bright fringes along the gratings' bars", PixelFormat::kRgb,
+       draw_see_through},
       // Two of 255: how exact a step of fog is.
       {"fog", "the court fades into violet, its sky half", PixelFormat::kRgb, draw_fog, {.step = 2}},
+      {"fog_indexed", "the same in the palette's colours, where greys turn violet all at once",
+       PixelFormat::kIndexed, draw_fog},
       {"skybox", "two sides and the top, chequered; along their edges bright squares meet dark ones",
        PixelFormat::kRgb, draw_skybox},
       {"under_water", "from the pool's ground: all sways and is brown; nothing empty at the borders",
