@@ -1,6 +1,6 @@
-// Hot loop. The vector twin of triangle_kernels_plain.cpp, compiled once for each instruction set. Rows of a
-// triangle are lanes while it is found where each begins and ends and what stands at its first pixel; then
-// pixels are.
+// Hot loop. The vector twin of triangle_kernels_plain.cpp, compiled once for each instruction set. Lanes are
+// first triangles, while their gradients and sides are worked out; then rows of one, while it is found where
+// each begins and ends and what stands at its first pixel; then pixels.
 #include "render/models/triangle_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -39,129 +39,174 @@ using DD = hn::CappedTag<double, 8>;
 using DDF = hn::Rebind<float, DD>;
 using DDI = hn::Rebind<int32_t, DD>;
 using VD = hn::Vec<DD>;
+using VDF = hn::Vec<DDF>;
 
-constexpr int kMostRows = 8;
-constexpr int kMostPrefetched = 16;  // rows
-constexpr size_t kAhead = 6;         // triangles
+constexpr size_t kRowsAhead = 24;
 constexpr float kLeastDepth = 1e-20f;
 
-// A side seen as a line without ends: the columns right of it, row by row, are a quotient of whole numbers.
-struct Side {
-  double numerator, step, denominator;  // numerator: at row 0
-  bool is_left;
+// What is worked out once for a triangle, for several at a time, each a lane.
+struct Setups {
+  static constexpr int kMost = 8;
+
+  HWY_ALIGN int32_t corners[3][kMost];
+  // A side seen as a line without ends: the first column right of it, row by row, is a quotient of whole
+  // numbers, numerator + row * step over denominator, rounded up. It bounds rows on the left or on the right,
+  // and the bias keeps it from bounding them on the other side; a level one bounds nothing.
+  HWY_ALIGN double numerator[3][kMost], step[3][kMost], denominator[3][kMost];
+  HWY_ALIGN double left_bias[3][kMost], right_bias[3][kMost];
+  HWY_ALIGN double corner_x[kMost], corner_y[kMost];
+  // Of depth, light, s and t.
+  HWY_ALIGN double at_corner[4][kMost], dx[4][kMost], dy[4][kMost];
+  HWY_ALIGN int32_t perspective[kMost];
 };
 
-struct Gradient {
-  double at_corner, dx, dy;
+// Rows of triangles that have pixels, in the order in which they are drawn. They are listed before any of
+// them is drawn: how many a triangle has, and how many pixels, cannot be foreseen, and while such a branch
+// waits for its triangle's divisions the processor has nothing else to do.
+class RowList {
+ public:
+  bool has_room() const { return size_ < kMost; }
+  // Of the rows from `row` to `end`, as many as a vector has.
+  HWY_INLINE void Add(const Setups& setups, int triangle, int row, int end, const TriangleTarget& target);
+  template <typename Pixel>
+  HWY_INLINE void Draw(const TriangleJob& job, const TriangleTarget& target);
+
+ private:
+  template <typename Pixel, bool kPerspective>
+  HWY_INLINE void DrawRow(const TriangleJob& job, size_t row, Pixel* HWY_RESTRICT pixels,
+                          float* HWY_RESTRICT nearest) const;
+
+  static constexpr size_t kMost = 256, kSpare = 16;  // whole vectors are written behind the last row
+  HWY_ALIGN int32_t place_[kMost + kSpare];          // of its first pixel in the target
+  HWY_ALIGN int32_t count_[kMost + kSpare], perspective_[kMost + kSpare];
+  HWY_ALIGN float value_[4][kMost + kSpare], step_[4][kMost + kSpare];  // depth, light, s, t
+  size_t size_ = 0;
 };
 
-struct Setup {
-  Side sides[3];
-  int side_count;
-  int first_row, row_end;
-  double corner_x, corner_y;
-  Gradient gradients[4];  // depth, light, s, t
-  bool perspective;
+HWY_INLINE VDF Least(VDF a, VDF b, VDF c) {
+  return hn::Min(hn::Min(a, b), c);
+}
+HWY_INLINE VDF Range(VDF a, VDF b, VDF c) {
+  return hn::Sub(hn::Max(hn::Max(a, b), c), Least(a, b, c));
+}
+
+struct Corner {
+  VD x, y;
+  VDF depth, light, s, t;
 };
 
-struct RowStarts {
-  HWY_ALIGN int32_t first[kMostRows], end[kMostRows];
-  HWY_ALIGN float value[4][kMostRows];
-};
-
-HWY_INLINE int64_t Cross(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
-  return (int64_t{b.x} - a.x) * (int64_t{c.y} - a.y) - (int64_t{c.x} - a.x) * (int64_t{b.y} - a.y);
-}
-
-HWY_INLINE int FirstPixel(int y) {
-  return (y + (kSubpixels - 1)) >> 8;
-}
-
-HWY_INLINE float Least(float a, float b, float c) {
-  return HWY_MIN(HWY_MIN(a, b), c);
-}
-HWY_INLINE float Most(float a, float b, float c) {
-  return HWY_MAX(HWY_MAX(a, b), c);
-}
-
-HWY_INLINE bool NeedsPerspective(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
-                                 const TexelPoint& ta, const TexelPoint& tb, const TexelPoint& tc) {
-  const float farthest = Least(a.depth, b.depth, c.depth);
-  const float depth_range = Most(a.depth, b.depth, c.depth) - farthest;
-  const float s_range = Most(ta.s, tb.s, tc.s) - Least(ta.s, tb.s, tc.s);
-  const float t_range = Most(ta.t, tb.t, tc.t) - Least(ta.t, tb.t, tc.t);
-  return HWY_MAX(s_range, t_range) * depth_range > 4 * kAffineErrorTexels * farthest;
-}
-
-HWY_INLINE void AddSide(const ScreenVertex& from, const ScreenVertex& to, Setup& io_setup) {
-  const int64_t dx = int64_t{to.x} - from.x, dy = int64_t{to.y} - from.y;
-  if (dy == 0) return;
-  // Going up, the triangle is to the right.
-  const int64_t sign = dy < 0 ? -1 : 1;
-  io_setup.sides[io_setup.side_count++] = {static_cast<double>((from.x * dy - from.y * dx) * sign),
-                                           static_cast<double>(dx * kSubpixels * sign),
-                                           static_cast<double>(dy * kSubpixels * sign), dy < 0};
-}
-
-HWY_INLINE Setup SetUp(const TriangleJob& job, const FrontTriangle& triangle, const TriangleTarget& target) {
-  const uint32_t* const index = triangle.corners;
-  const ScreenVertex &a = job.vertices[index[0]], &b = job.vertices[index[1]], &c = job.vertices[index[2]];
-  const TexelPoint &ta = job.texels[index[0]], &tb = job.texels[index[1]], &tc = job.texels[index[2]];
-  Setup setup;
-  setup.first_row = HWY_MAX(triangle.first_row, target.row_begin);
-  setup.row_end = HWY_MIN(triangle.row_end, target.row_end);
-  setup.side_count = 0;
-  AddSide(a, b, setup);
-  AddSide(b, c, setup);
-  AddSide(c, a, setup);
-
-  const double to_pixels = kSubpixels / static_cast<double>(Cross(a, b, c));
-  const double x1 = (b.x - a.x) * to_pixels, y1 = (b.y - a.y) * to_pixels;
-  const double x2 = (c.x - a.x) * to_pixels, y2 = (c.y - a.y) * to_pixels;
-  setup.corner_x = a.x * (1.0 / kSubpixels);
-  setup.corner_y = a.y * (1.0 / kSubpixels);
-  setup.perspective = job.perspective && NeedsPerspective(a, b, c, ta, tb, tc);
-  const double wa = setup.perspective ? double{a.depth} : 1.0;
-  const double wb = setup.perspective ? double{b.depth} : 1.0;
-  const double wc = setup.perspective ? double{c.depth} : 1.0;
-  const double values[4][3] = {{a.depth, b.depth, c.depth},
-                               {a.light, b.light, c.light},
-                               {ta.s * wa, tb.s * wb, tc.s * wc},
-                               {ta.t * wa, tb.t * wb, tc.t * wc}};
-  for (int i = 0; i < 4; ++i) {
-    const double v0 = values[i][0], v1 = values[i][1], v2 = values[i][2];
-    setup.gradients[i] = {v0, (v1 - v0) * y2 - (v2 - v0) * y1, (v2 - v0) * x1 - (v1 - v0) * x2};
-  }
-  return setup;
-}
-
-// Of the rows from `row` on, as many as a vector has.
-HWY_INLINE void FindRows(const Setup& setup, int row, double width, RowStarts& out) {
+HWY_INLINE Corner LoadCorner(const TriangleJob& job, const int32_t* corners) {
   const DD d;
+  const DDF df;
+  const DDI di;
+  static_assert(sizeof(ScreenVertex) == 16 && sizeof(TexelPoint) == 8);
+  const auto vertex = hn::ShiftLeft<2>(hn::Load(di, corners)),
+             texel = hn::ShiftLeft<1>(hn::Load(di, corners));
+  const auto* const wholes = &job.vertices->x;
+  const auto* const floats = &job.vertices->depth;
+  return {hn::PromoteTo(d, hn::GatherIndex(di, wholes, vertex)),
+          hn::PromoteTo(d, hn::GatherIndex(di, wholes + 1, vertex)),
+          hn::GatherIndex(df, floats, vertex),
+          hn::GatherIndex(df, floats + 1, vertex),
+          hn::GatherIndex(df, &job.texels->s, texel),
+          hn::GatherIndex(df, &job.texels->s + 1, texel)};
+}
+
+HWY_INLINE void SetUpSide(const Corner& from, const Corner& to, int side, int lane, Setups& out) {
+  const DD d;
+  const VD zero = hn::Zero(d), nowhere = hn::Set(d, 1e9);
+  const VD dx = hn::Sub(to.x, from.x), dy = hn::Sub(to.y, from.y);
+  const auto goes_up = hn::Lt(dy, zero), is_level = hn::Eq(dy, zero);
+  const VD sign = hn::IfThenElse(goes_up, hn::Set(d, -1.0), hn::Set(d, 1.0));
+  const VD scaled = hn::Mul(sign, hn::Set(d, kSubpixels));
+  const VD numerator = hn::Sub(hn::Mul(from.x, dy), hn::Mul(from.y, dx));
+  hn::Store(hn::IfThenZeroElse(is_level, hn::Mul(numerator, sign)), d, out.numerator[side] + lane);
+  hn::Store(hn::IfThenZeroElse(is_level, hn::Mul(dx, scaled)), d, out.step[side] + lane);
+  hn::Store(hn::IfThenElse(is_level, hn::Set(d, 1.0), hn::Mul(dy, scaled)), d, out.denominator[side] + lane);
+  // Going up, the triangle is to the right.
+  hn::Store(hn::IfThenElse(goes_up, zero, hn::Neg(nowhere)), d, out.left_bias[side] + lane);
+  hn::Store(hn::IfThenElse(hn::Gt(dy, zero), zero, nowhere), d, out.right_bias[side] + lane);
+}
+
+// As many as a vector has, from `lane` on.
+HWY_INLINE void SetUp(const TriangleJob& job, int lane, Setups& io_setups) {
+  const DD d;
+  const DDF df;
+  const Corner a = LoadCorner(job, io_setups.corners[0] + lane);
+  const Corner b = LoadCorner(job, io_setups.corners[1] + lane);
+  const Corner c = LoadCorner(job, io_setups.corners[2] + lane);
+  SetUpSide(a, b, 0, lane, io_setups);
+  SetUpSide(b, c, 1, lane, io_setups);
+  SetUpSide(c, a, 2, lane, io_setups);
+
+  const VD bx = hn::Sub(b.x, a.x), by = hn::Sub(b.y, a.y), cx = hn::Sub(c.x, a.x), cy = hn::Sub(c.y, a.y);
+  const VD cross = hn::Sub(hn::Mul(bx, cy), hn::Mul(cx, by));
+  const VD to_pixels = hn::Div(hn::Set(d, kSubpixels), cross);
+  const VD x1 = hn::Mul(bx, to_pixels), y1 = hn::Mul(by, to_pixels);
+  const VD x2 = hn::Mul(cx, to_pixels), y2 = hn::Mul(cy, to_pixels);
+  const VD pixel = hn::Set(d, 1.0 / kSubpixels);
+  hn::Store(hn::Mul(a.x, pixel), d, io_setups.corner_x + lane);
+  hn::Store(hn::Mul(a.y, pixel), d, io_setups.corner_y + lane);
+
+  const VDF farthest = Least(a.depth, b.depth, c.depth);
+  const VDF texels = hn::Max(Range(a.s, b.s, c.s), Range(a.t, b.t, c.t));
+  const VDF bend = hn::Mul(texels, Range(a.depth, b.depth, c.depth));
+  const VDF most = job.perspective ? hn::Mul(hn::Set(df, 4 * kAffineErrorTexels), farthest)
+                                   : hn::Set(df, hwy::HighestValue<float>());
+  const auto perspective = hn::Gt(bend, most);
+  hn::Store(hn::BitCast(DDI(), hn::VecFromMask(df, perspective)), DDI(), io_setups.perspective + lane);
+
+  const auto gradient = [&](int i, VD v0, VD v1, VD v2) HWY_ATTR {
+    const VD along1 = hn::Sub(v1, v0), along2 = hn::Sub(v2, v0);
+    hn::Store(v0, d, io_setups.at_corner[i] + lane);
+    hn::Store(hn::Sub(hn::Mul(along1, y2), hn::Mul(along2, y1)), d, io_setups.dx[i] + lane);
+    hn::Store(hn::Sub(hn::Mul(along2, x1), hn::Mul(along1, x2)), d, io_setups.dy[i] + lane);
+  };
+  const auto weigh = [&](VDF value, VDF depth) HWY_ATTR {
+    const VDF weight = hn::IfThenElse(perspective, depth, hn::Set(df, 1.0f));
+    return hn::Mul(hn::PromoteTo(d, value), hn::PromoteTo(d, weight));
+  };
+  gradient(0, hn::PromoteTo(d, a.depth), hn::PromoteTo(d, b.depth), hn::PromoteTo(d, c.depth));
+  gradient(1, hn::PromoteTo(d, a.light), hn::PromoteTo(d, b.light), hn::PromoteTo(d, c.light));
+  gradient(2, weigh(a.s, a.depth), weigh(b.s, b.depth), weigh(c.s, c.depth));
+  gradient(3, weigh(a.t, a.depth), weigh(b.t, b.depth), weigh(c.t, c.depth));
+}
+
+HWY_INLINE void RowList::Add(const Setups& setups, int triangle, int row, int end,
+                             const TriangleTarget& target) {
+  const DD d;
+  const DDF df;
+  const DDI di;
   const VD y = hn::Add(hn::Set(d, static_cast<double>(row)), hn::Iota(d, 0.0));
-  const VD zero = hn::Zero(d), most = hn::Set(d, width);
-  VD left = zero, right = most;
-  for (int i = 0; i < setup.side_count; ++i) {
-    const Side& side = setup.sides[i];
-    const VD numerator = hn::Add(hn::Set(d, side.numerator), hn::Mul(hn::Set(d, side.step), y));
-    const VD column = hn::Ceil(hn::Div(numerator, hn::Set(d, side.denominator)));
-    if (side.is_left)
-      left = hn::Max(left, column);
-    else
-      right = hn::Min(right, column);
+  const VD zero = hn::Zero(d), width = hn::Set(d, static_cast<double>(target.width));
+  VD left = zero, right = width;
+  for (int i = 0; i < 3; ++i) {
+    const auto of = [&](const double(&values)[3][Setups::kMost])
+                        HWY_ATTR { return hn::Set(d, values[i][triangle]); };
+    const VD numerator = hn::Add(of(setups.numerator), hn::Mul(of(setups.step), y));
+    const VD column = hn::Ceil(hn::Div(numerator, of(setups.denominator)));
+    left = hn::Max(left, hn::Add(column, of(setups.left_bias)));
+    right = hn::Min(right, hn::Add(column, of(setups.right_bias)));
   }
-  left = hn::Min(left, most);
+  left = hn::Min(left, width);
   right = hn::Max(right, zero);
-  const VD from_x = hn::Sub(left, hn::Set(d, setup.corner_x));
-  const VD from_y = hn::Sub(y, hn::Set(d, setup.corner_y));
-  hn::StoreU(hn::DemoteTo(DDI(), left), DDI(), out.first);
-  hn::StoreU(hn::DemoteTo(DDI(), right), DDI(), out.end);
+  const VD from_x = hn::Sub(left, hn::Set(d, setups.corner_x[triangle]));
+  const VD from_y = hn::Sub(y, hn::Set(d, setups.corner_y[triangle]));
+  const VD rows_above = hn::Sub(y, hn::Set(d, static_cast<double>(target.first_row)));
+  const auto count = hn::DemoteTo(di, hn::Sub(right, left));
+  const auto has_pixels = hn::And(hn::Gt(count, hn::Zero(di)), hn::Lt(hn::Iota(di, row), hn::Set(di, end)));
+  const auto place = hn::DemoteTo(di, hn::Add(hn::Mul(rows_above, width), left));
+  hn::StoreU(hn::Compress(place, has_pixels), di, place_ + size_);
+  hn::StoreU(hn::Compress(count, has_pixels), di, count_ + size_);
+  hn::StoreU(hn::Set(di, setups.perspective[triangle]), di, perspective_ + size_);
   for (int i = 0; i < 4; ++i) {
-    const Gradient& g = setup.gradients[i];
-    const VD along = hn::Add(hn::Set(d, g.at_corner), hn::Mul(hn::Set(d, g.dx), from_x));
-    const VD value = hn::Add(along, hn::Mul(hn::Set(d, g.dy), from_y));
-    hn::StoreU(hn::DemoteTo(DDF(), value), DDF(), out.value[i]);
+    const double dx = setups.dx[i][triangle];
+    const VD along = hn::Add(hn::Set(d, setups.at_corner[i][triangle]), hn::Mul(hn::Set(d, dx), from_x));
+    const VD value = hn::Add(along, hn::Mul(hn::Set(d, setups.dy[i][triangle]), from_y));
+    hn::StoreU(hn::Compress(hn::DemoteTo(df, value), hn::RebindMask(df, has_pixels)), df, value_[i] + size_);
+    hn::StoreU(hn::Set(df, static_cast<float>(dx)), df, step_[i] + size_);
   }
+  size_ += hn::CountTrue(di, has_pixels);
 }
 
 // Towards zero. Highway's ConvertTo guards against numbers that do not fit 32 bits, which these never are.
@@ -260,87 +305,50 @@ HWY_INLINE void StoreWhere(MF shown, VF depth, VU pixels, float* out_depth, Pixe
 
 #endif
 
-// A pixel's values are those of its row's first pixel and `lane` steps more.
-struct Steps {
-  VF depth, light, s, t;
-
-  HWY_INLINE Steps AtLanes(VF lane) const {
-    return {hn::Mul(lane, depth), hn::Mul(lane, light), hn::Mul(lane, s), hn::Mul(lane, t)};
-  }
-};
-
 template <typename Pixel, bool kPerspective>
-HWY_INLINE void DrawPixels(const TriangleJob& job, const RowStarts& rows, int row, const Steps& offsets,
-                           int count, Pixel* HWY_RESTRICT pixels, float* HWY_RESTRICT nearest) {
+HWY_INLINE void RowList::DrawRow(const TriangleJob& job, size_t row, Pixel* HWY_RESTRICT pixels,
+                                 float* HWY_RESTRICT nearest) const {
   const DF d;
-  const MF covered = hn::FirstN(d, static_cast<size_t>(count));
-  const VF depth = hn::Add(hn::Set(d, rows.value[0][row]), offsets.depth);
-  const MF shown = hn::And(covered, hn::Ge(depth, LoadDepth(covered, nearest, count)));
-  if (hn::AllFalse(d, shown)) return;
-  const VF light = hn::Add(hn::Set(d, rows.value[1][row]), offsets.light);
-  VF s = hn::Add(hn::Set(d, rows.value[2][row]), offsets.s);
-  VF t = hn::Add(hn::Set(d, rows.value[3][row]), offsets.t);
-  if constexpr (kPerspective) {
-    const VF z = hn::Div(hn::Set(d, 1.0f), hn::Max(depth, hn::Set(d, kLeastDepth)));
-    s = hn::Mul(s, z);
-    t = hn::Mul(t, z);
-  }
-  const VU colours = LitTexels(job, SkinTexels(job, s, t), light, Pixel{});
-  StoreWhere(shown, depth, colours, nearest, pixels, count);
-}
-
-template <typename Pixel, bool kPerspective>
-HWY_INLINE void DrawRows(const TriangleJob& job, const Setup& setup, const TriangleTarget& target) {
-  const DF d;
-  const Steps steps = {hn::Set(d, static_cast<float>(setup.gradients[0].dx)),
-                       hn::Set(d, static_cast<float>(setup.gradients[1].dx)),
-                       hn::Set(d, static_cast<float>(setup.gradients[2].dx)),
-                       hn::Set(d, static_cast<float>(setup.gradients[3].dx))};
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const Steps first_offsets = steps.AtLanes(hn::Iota(d, 0.0f));
-  const int rows_at_once = static_cast<int>(hn::Lanes(DD()));
-  const double width = target.width;
-  RowStarts rows;
-  for (int y = setup.first_row; y < setup.row_end; y += rows_at_once) {
-    FindRows(setup, y, width, rows);
-    const int count = HWY_MIN(rows_at_once, setup.row_end - y);
-    for (int row = 0; row < count; ++row) {
-      const int pixels = rows.end[row] - rows.first[row];
-      if (pixels <= 0) continue;
-      const size_t first =
-          static_cast<size_t>(y + row - target.first_row) * static_cast<size_t>(target.width) +
-          static_cast<size_t>(rows.first[row]);
-      Pixel* const row_pixels = static_cast<Pixel*>(target.pixels) + first;
-      float* const row_depth = target.depth + first;
-      DrawPixels<Pixel, kPerspective>(job, rows, row, first_offsets, HWY_MIN(pixels, lanes), row_pixels,
-                                      row_depth);
-      for (int x = lanes; x < pixels; x += lanes) {
-        const VF lane = hn::Add(hn::Iota(d, 0.0f), hn::Set(d, static_cast<float>(x)));
-        DrawPixels<Pixel, kPerspective>(job, rows, row, steps.AtLanes(lane), HWY_MIN(pixels - x, lanes),
-                                        row_pixels + x, row_depth + x);
+  const int end = count_[row];
+  int x = 0;
+  do {
+    const int count = HWY_MIN(end - x, lanes);
+    const VF lane = hn::Add(hn::Iota(d, 0.0f), hn::Set(d, static_cast<float>(x)));
+    const auto at_lanes = [&](int i) HWY_ATTR {
+      return hn::Add(hn::Set(d, value_[i][row]), hn::Mul(lane, hn::Set(d, step_[i][row])));
+    };
+    const MF covered = hn::FirstN(d, static_cast<size_t>(count));
+    const VF depth = at_lanes(0);
+    const MF shown = hn::And(covered, hn::Ge(depth, LoadDepth(covered, nearest + x, count)));
+    if (!hn::AllFalse(d, shown)) {
+      VF s = at_lanes(2), t = at_lanes(3);
+      if constexpr (kPerspective) {
+        const VF z = hn::Div(hn::Set(d, 1.0f), hn::Max(depth, hn::Set(d, kLeastDepth)));
+        s = hn::Mul(s, z);
+        t = hn::Mul(t, z);
       }
+      const VU colours = LitTexels(job, SkinTexels(job, s, t), at_lanes(1), Pixel{});
+      StoreWhere(shown, depth, colours, nearest + x, pixels + x, count);
     }
-  }
+    x += lanes;
+  } while (x < end);
 }
 
-// Asks for the rows that a triangle will be drawn to: the picture is larger than the near caches, and no
-// pattern tells the processor where the next triangle lies.
 template <typename Pixel>
-HWY_INLINE void PrefetchRows(const TriangleJob& job, const FrontTriangle& triangle,
-                             const TriangleTarget& target) {
-  const uint32_t* const index = triangle.corners;
-  const ScreenVertex &a = job.vertices[index[0]], &b = job.vertices[index[1]], &c = job.vertices[index[2]];
-  const int first_row = HWY_MAX(triangle.first_row, target.row_begin);
-  const int row_end = HWY_MIN(triangle.row_end, target.row_end);
-  const int x = HWY_MAX(FirstPixel(HWY_MIN(HWY_MIN(a.x, b.x), c.x)), 0);
-  if (x >= target.width) return;
-  size_t pixel = static_cast<size_t>(first_row - target.first_row) * static_cast<size_t>(target.width) +
-                 static_cast<size_t>(x);
-  const int rows = HWY_MIN(row_end - first_row, kMostPrefetched);
-  for (int row = 0; row < rows; ++row, pixel += static_cast<size_t>(target.width)) {
-    hwy::Prefetch(target.depth + pixel);
-    hwy::Prefetch(static_cast<const Pixel*>(target.pixels) + pixel);
+HWY_INLINE void RowList::Draw(const TriangleJob& job, const TriangleTarget& target) {
+  Pixel* const pixels = static_cast<Pixel*>(target.pixels);
+  for (size_t row = 0; row < size_; ++row) {
+    // The picture is larger than the near caches, and no pattern tells where the next triangle lies.
+    const int ahead = place_[HWY_MIN(row + kRowsAhead, size_ - 1)];
+    hwy::Prefetch(target.depth + ahead);
+    hwy::Prefetch(pixels + ahead);
+    if (perspective_[row] != 0)
+      DrawRow<Pixel, true>(job, row, pixels + place_[row], target.depth + place_[row]);
+    else
+      DrawRow<Pixel, false>(job, row, pixels + place_[row], target.depth + place_[row]);
   }
+  size_ = 0;
 }
 
 template <typename Pixel>
@@ -348,6 +356,9 @@ HWY_INLINE void DrawTriangles(const TriangleJob& job, const TriangleTarget& targ
   // Those of these rows are sorted out ahead, without a branch.
   constexpr size_t kBatch = 256;
   const FrontTriangle* here[kBatch];
+  const int at_once = static_cast<int>(hn::Lanes(DD()));
+  Setups setups;
+  RowList rows;
   for (size_t begin = 0; begin < job.front_count; begin += kBatch) {
     const size_t end = HWY_MIN(begin + kBatch, job.front_count);
     size_t count = 0;
@@ -356,15 +367,24 @@ HWY_INLINE void DrawTriangles(const TriangleJob& job, const TriangleTarget& targ
       count += static_cast<size_t>(job.fronts[i].row_end > target.row_begin) &
                static_cast<size_t>(job.fronts[i].first_row < target.row_end);
     }
-    for (size_t i = 0; i < count; ++i) {
-      if (i + kAhead < count) PrefetchRows<Pixel>(job, *here[i + kAhead], target);
-      const Setup setup = SetUp(job, *here[i], target);
-      if (setup.perspective)
-        DrawRows<Pixel, true>(job, setup, target);
-      else
-        DrawRows<Pixel, false>(job, setup, target);
+    for (size_t first = 0; first < count; first += Setups::kMost) {
+      const int triangles = static_cast<int>(HWY_MIN(count - first, size_t{Setups::kMost}));
+      for (int i = 0; i < Setups::kMost; ++i)
+        for (int corner = 0; corner < 3; ++corner)
+          setups.corners[corner][i] = static_cast<int32_t>(
+              here[first + static_cast<size_t>(HWY_MIN(i, triangles - 1))]->corners[corner]);
+      for (int lane = 0; lane < triangles; lane += at_once) SetUp(job, lane, setups);
+      for (int i = 0; i < triangles; ++i) {
+        const FrontTriangle& triangle = *here[first + static_cast<size_t>(i)];
+        const int row_end = HWY_MIN(triangle.row_end, target.row_end);
+        for (int y = HWY_MAX(triangle.first_row, target.row_begin); y < row_end; y += at_once) {
+          rows.Add(setups, i, y, row_end, target);
+          if (!rows.has_room()) rows.Draw<Pixel>(job, target);
+        }
+      }
     }
   }
+  rows.Draw<Pixel>(job, target);
 }
 
 void DrawTrianglesU8(const TriangleJob& job, const TriangleTarget& target) {
