@@ -55,9 +55,9 @@ template <typename Pixel, auto Draw, bool kFronts>
 void draw_triangles(benchmark::State& state) {
   const Field field = random_field(static_cast<double>(state.range(0)), false);
   std::mt19937 random(2);
-  std::vector<std::uint8_t> skin(kSkinSide * kSkinSide + 4);
+  std::vector<std::uint8_t> skin(kSkinSide * kSkinSide);
   for (std::uint8_t& texel : skin) texel = static_cast<std::uint8_t>(random());
-  const std::vector<Pixel> colours(64 * 256 + 4, static_cast<Pixel>(0xff807060u));
+  const std::vector<Pixel> colours(64 * 256, static_cast<Pixel>(0xff807060u));
   std::vector<Pixel> pixels(kScreenWidth * kScreenHeight);
   std::vector<float> depth(pixels.size(), 0.0f);
   const std::size_t count = field.triangles.size() / 3;

@@ -49,7 +49,7 @@ struct AliasModel {
   std::vector<AnimatedMembers> frames;
 
   std::uint32_t skin_width = 0, skin_height = 0;
-  std::vector<std::uint8_t> skin_texels;  // picture by picture, rows from the top; kSkinPadding bytes more
+  std::vector<std::uint8_t> skin_texels;  // picture by picture, rows from the top
   std::vector<AnimatedMembers> skins;
 
   PoseBytes pose(PoseIndex index) const {
@@ -62,10 +62,7 @@ struct AliasModel {
     return skin_texels.data() + number * picture_bytes();
   }
   std::size_t picture_bytes() const { return std::size_t{skin_width} * skin_height; }
-  std::size_t picture_count() const { return (skin_texels.size() - kSkinPadding) / picture_bytes(); }
-
-  // Wide loads of the last texel stay inside.
-  static constexpr std::size_t kSkinPadding = 4;
+  std::size_t picture_count() const { return skin_texels.size() / picture_bytes(); }
 };
 
 }  // namespace temblor::render

@@ -149,7 +149,6 @@ std::shared_ptr<const AliasModel> make_alias_model(const formats::Mdl& mdl, std:
     for (const std::vector<std::uint8_t>& picture : skin.pictures)
       model->skin_texels.insert(model->skin_texels.end(), picture.begin(), picture.end());
   }
-  model->skin_texels.resize(model->skin_texels.size() + AliasModel::kSkinPadding);
   return model;
 }
 

@@ -35,9 +35,7 @@ std::size_t player_colour(std::uint8_t row, std::size_t i) {
 // Replaces both rows in each of the table's lines of 256.
 template <typename Pixel>
 std::span<const Pixel> dress(std::span<const Pixel> table, const PlayerColours& colours, base::Arena& arena) {
-  // Vector code may read three bytes more.
-  constexpr std::size_t kOverRead = 4;
-  const std::span<Pixel> dressed = arena.allocate<Pixel>(table.size() + kOverRead);
+  const std::span<Pixel> dressed = arena.allocate<Pixel>(table.size());
   std::copy(table.begin(), table.end(), dressed.begin());
   for (std::size_t line = 0; line < table.size(); line += 256)
     for (std::size_t i = 0; i < kRowColours; ++i) {

@@ -57,9 +57,15 @@ constexpr float kDarkestRow = 16383.0f;      // bytes
 // Scan line by scan line (affine_triangle.h); vector code draws the job's `fronts`.
 void draw_triangles_u8_plain(const TriangleJob& job, const TriangleTarget& target);
 void draw_triangles_u32_plain(const TriangleJob& job, const TriangleTarget& target);
-// These may read three bytes past the skin and the colours.
 void draw_triangles_u8_vector(const TriangleJob& job, const TriangleTarget& target);
 void draw_triangles_u32_vector(const TriangleJob& job, const TriangleTarget& target);
+
+// What vector code leaves to plain code: out[i] is what the skin's texel number texels[i] shows as under
+// light row lights[i], a multiple of 256; or, in 32 bits, its colour, not lit.
+void look_up_texels_u8(const TriangleJob& job, const std::int32_t* texels, const std::int32_t* lights,
+                       std::size_t count, std::uint8_t* out);
+void look_up_texels_u32(const TriangleJob& job, const std::int32_t* texels, std::size_t count,
+                        std::uint32_t* out);
 
 // By recursive subdivision (subdivide_triangles.cpp). All vertices lie inside the target's columns, and
 // whole pixels inside int16.

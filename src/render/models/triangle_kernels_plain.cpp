@@ -32,4 +32,15 @@ void draw_triangles_u32_plain(const TriangleJob& job, const TriangleTarget& targ
   draw_triangles<std::uint32_t>(job, target);
 }
 
+void look_up_texels_u8(const TriangleJob& job, const std::int32_t* texels, const std::int32_t* lights,
+                       std::size_t count, std::uint8_t* out) {
+  const std::uint8_t* const colours = static_cast<const std::uint8_t*>(job.colours);
+  for (std::size_t i = 0; i < count; ++i) out[i] = colours[lights[i] + job.skin[texels[i]]];
+}
+void look_up_texels_u32(const TriangleJob& job, const std::int32_t* texels, std::size_t count,
+                        std::uint32_t* out) {
+  const std::uint32_t* const colours = static_cast<const std::uint32_t*>(job.colours);
+  for (std::size_t i = 0; i < count; ++i) out[i] = colours[job.skin[texels[i]]];
+}
+
 }  // namespace temblor::render

@@ -1,6 +1,6 @@
 // Hot loop. The vector twin of triangle_kernels_plain.cpp, compiled once for each instruction set. Lanes are
 // first triangles, while their gradients and sides are worked out; then rows of one, while it is found where
-// each begins and ends and what stands at its first pixel; then pixels.
+// each begins and ends and what stands at its first pixel; then pixels, whose texels plain code looks up.
 #include "render/models/triangle_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -60,6 +60,36 @@ struct Setups {
   HWY_ALIGN int32_t perspective[kMost];
 };
 
+// Pieces of rows, no longer than a vector, whose depth is drawn and whose texels are yet to be looked up.
+// That is done for all at once, a pixel at a time: a gather takes as long for empty lanes as for others, and
+// most would be empty.
+class Pieces {
+ public:
+  bool has_room() const { return size_ < kMost; }
+  // Of `count` pixels; the bits of `shown` tell which are drawn.
+  HWY_INLINE void Add(int place, int count, uint8_t shown, VI texels, VI light) {
+    place_[size_] = place;
+    shown_[size_] = shown;
+    first_[size_++] = static_cast<int32_t>(pixels_);
+    hn::StoreU(texels, DI(), texels_ + pixels_);
+    hn::StoreU(light, DI(), light_ + pixels_);
+    pixels_ += static_cast<size_t>(count);
+  }
+  HWY_INLINE void Draw(const TriangleJob& job, uint8_t* out);
+  HWY_INLINE void Draw(const TriangleJob& job, uint32_t* out);
+
+ private:
+  template <typename Pixel>
+  HWY_INLINE void Store(const Pixel* colours, Pixel* out);
+
+  static constexpr size_t kMost = 256, kMostPixels = kMost * 8, kSpare = 8;  // whole vectors are written
+  int32_t place_[kMost], first_[kMost];
+  uint8_t shown_[kMost];
+  // By pixel.
+  HWY_ALIGN int32_t texels_[kMostPixels + kSpare], light_[kMostPixels + kSpare];
+  size_t size_ = 0, pixels_ = 0;
+};
+
 // Rows of triangles that have pixels, in the order in which they are drawn. They are listed before any of
 // them is drawn: how many a triangle has, and how many pixels, cannot be foreseen, and while such a branch
 // waits for its triangle's divisions the processor has nothing else to do.
@@ -73,14 +103,15 @@ class RowList {
 
  private:
   template <typename Pixel, bool kPerspective>
-  HWY_INLINE void DrawRow(const TriangleJob& job, size_t row, Pixel* HWY_RESTRICT pixels,
-                          float* HWY_RESTRICT nearest) const;
+  HWY_INLINE void DrawRow(const TriangleJob& job, size_t row, const TriangleTarget& target,
+                          Pieces& io_pieces) const;
 
   static constexpr size_t kMost = 256, kSpare = 16;  // whole vectors are written behind the last row
   HWY_ALIGN int32_t place_[kMost + kSpare];          // of its first pixel in the target
   HWY_ALIGN int32_t count_[kMost + kSpare], perspective_[kMost + kSpare];
   HWY_ALIGN float value_[4][kMost + kSpare], step_[4][kMost + kSpare];  // depth, light, s, t
   size_t size_ = 0;
+  Pieces pieces_;
 };
 
 HWY_INLINE VDF Least(VDF a, VDF b, VDF c) {
@@ -218,39 +249,32 @@ HWY_INLINE VI ToWhole(VF v) {
 #endif
 }
 
-// The palette index at each lane.
-HWY_INLINE VU SkinTexels(const TriangleJob& job, VF s, VF t) {
+// Where each lane's texel lies in the skin.
+HWY_INLINE VI SkinTexels(const TriangleJob& job, VF s, VF t) {
   const DF d;
   const VF last_s = hn::Set(d, static_cast<float>(job.skin_width - 1));
   const VF last_t = hn::Set(d, static_cast<float>(job.skin_height - 1));
   const VI column = ToWhole(hn::Max(hn::Min(s, last_s), hn::Zero(d)));
   const VI row = ToWhole(hn::Max(hn::Min(t, last_t), hn::Zero(d)));
-  const VI offset = hn::Add(hn::Mul(row, hn::Set(DI(), job.skin_width)), column);
-  // Three more bytes come along, and are cut off again.
-  return hn::And(hn::GatherOffset(DU(), reinterpret_cast<const uint32_t*>(job.skin), offset),
-                 hn::Set(DU(), 255));
+  return hn::Add(hn::Mul(row, hn::Set(DI(), job.skin_width)), column);
 }
 
-HWY_INLINE VI BoundedLight(VF light, float most) {
+HWY_INLINE VI BoundedLight(VF light, uint8_t) {
   const DF d;
-  return ToWhole(hn::Max(hn::Min(light, hn::Set(d, most)), hn::Zero(d)));
+  const VI whole = ToWhole(hn::Max(hn::Min(light, hn::Set(d, kDarkestRow)), hn::Zero(d)));
+  return hn::And(whole, hn::Set(DI(), ~255));
+}
+HWY_INLINE VI BoundedLight(VF light, uint32_t) {
+  const DF d;
+  return ToWhole(hn::Max(hn::Min(light, hn::Set(d, kBrightestLight)), hn::Zero(d)));
 }
 
-HWY_INLINE VU LitTexels(const TriangleJob& job, VU texels, VF light, uint8_t) {
-  const VU row = hn::And(hn::BitCast(DU(), BoundedLight(light, kDarkestRow)), hn::Set(DU(), ~255u));
-  const VI offset = hn::BitCast(DI(), hn::Or(row, texels));
-  return hn::And(hn::GatherOffset(DU(), static_cast<const uint32_t*>(job.colours), offset),
-                 hn::Set(DU(), 255));
-}
-
-HWY_INLINE VU LitTexels(const TriangleJob& job, VU texels, VF light, uint32_t) {
+HWY_INLINE VU LitColours(const TriangleJob& job, VU colour, VI light) {
   const DU du;
   const DI di;
-  const VU colour = hn::GatherIndex(du, static_cast<const uint32_t*>(job.colours), hn::BitCast(di, texels));
-  const VI whole = BoundedLight(light, kBrightestLight);
   const VU opaque = hn::Set(du, 0xff000000u);
   const auto channel = [&](VU value, int tint) HWY_ATTR {
-    const VI tinted = hn::ShiftRight<15>(hn::Mul(whole, hn::Set(di, tint)));
+    const VI tinted = hn::ShiftRight<15>(hn::Mul(light, hn::Set(di, tint)));
     const VI doubled = hn::BitCast(di, hn::Add(value, value));
     const VI lit = hn::ShiftRight<15>(hn::Add(hn::Mul(doubled, tinted), hn::Set(di, 16384)));
     return hn::BitCast(du, hn::Min(lit, hn::Set(di, 255)));
@@ -264,63 +288,79 @@ HWY_INLINE VU LitTexels(const TriangleJob& job, VU texels, VF light, uint32_t) {
   return hn::Or(opaque, hn::IfThenElse(is_lit, lit, colour));
 }
 
+// Neighbouring pixels may be another band's: not even what was there may be written to them.
 #if HWY_TARGET <= HWY_AVX3
-
 HWY_INLINE VF LoadDepth(MF covered, const float* depth, int) {
   return hn::MaskedLoad(covered, DF(), depth);
 }
-HWY_INLINE void StoreWhere(MF shown, VF depth, VU pixels, float* out_depth, uint8_t* out, int) {
-  hn::BlendedStore(depth, shown, DF(), out_depth);
-  // One instruction; TruncateTo takes several shuffles.
-  const hn::Vec<D8> bytes{_mm256_cvtepi32_epi8(pixels.raw)};
-  hn::BlendedStore(bytes, hn::Mask<D8>{static_cast<__mmask16>(shown.raw)}, D8(), out);
+HWY_INLINE uint8_t StoreDepth(MF shown, VF depth, float* out) {
+  hn::BlendedStore(depth, shown, DF(), out);
+  return shown.raw;
 }
-HWY_INLINE void StoreWhere(MF shown, VF depth, VU pixels, float* out_depth, uint32_t* out, int) {
-  hn::BlendedStore(depth, shown, DF(), out_depth);
-  hn::BlendedStore(pixels, hn::RebindMask(DU(), shown), DU(), out);
+HWY_INLINE void StorePixels(unsigned shown, const uint8_t* from, uint8_t* out) {
+  hn::BlendedStore(hn::LoadU(D8(), from), hn::Mask<D8>{static_cast<__mmask16>(shown)}, D8(), out);
 }
-
+HWY_INLINE void StorePixels(unsigned shown, const uint32_t* from, uint32_t* out) {
+  hn::BlendedStore(hn::LoadU(DU(), from), hn::Mask<DU>{static_cast<__mmask8>(shown)}, DU(), out);
+}
 #else
-
-// Neighbouring pixels may be another band's: not even what was there may be written to them.
 HWY_INLINE VF LoadDepth(MF, const float* depth, int count) {
   HWY_ALIGN float lanes[8] = {};
   for (int i = 0; i < count; ++i) lanes[i] = depth[i];
   return hn::Load(DF(), lanes);
 }
 template <typename Pixel>
-HWY_INLINE void StoreWhere(MF shown, VF depth, VU pixels, float* out_depth, Pixel* out, int count) {
-  HWY_ALIGN float depths[8];
-  HWY_ALIGN uint32_t colours[8];
-  HWY_ALIGN uint32_t flags[8];
-  hn::Store(depth, DF(), depths);
-  hn::Store(pixels, DU(), colours);
-  hn::Store(hn::BitCast(DU(), hn::VecFromMask(DF(), shown)), DU(), flags);
-  for (int i = 0; i < count; ++i)
-    if (flags[i] != 0) {
-      out_depth[i] = depths[i];
-      out[i] = static_cast<Pixel>(colours[i]);
-    }
+HWY_INLINE void StorePixels(unsigned shown, const Pixel* from, Pixel* out) {
+  for (int i = 0; shown >> i != 0; ++i)
+    if ((shown >> i & 1) != 0) out[i] = from[i];
 }
-
+HWY_INLINE uint8_t StoreDepth(MF shown, VF depth, float* out) {
+  HWY_ALIGN float depths[8];
+  hn::Store(depth, DF(), depths);
+  uint8_t bits[8] = {};
+  hn::StoreMaskBits(DF(), shown, bits);
+  StorePixels(bits[0], depths, out);
+  return bits[0];
+}
 #endif
 
+template <typename Pixel>
+HWY_INLINE void Pieces::Store(const Pixel* colours, Pixel* out) {
+  for (size_t i = 0; i < size_; ++i) StorePixels(shown_[i], colours + first_[i], out + place_[i]);
+  size_ = pixels_ = 0;
+}
+
+HWY_INLINE void Pieces::Draw(const TriangleJob& job, uint8_t* out) {
+  HWY_ALIGN uint8_t colours[kMostPixels + kSpare];
+  look_up_texels_u8(job, texels_, light_, pixels_, colours);
+  Store(colours, out);
+}
+
+HWY_INLINE void Pieces::Draw(const TriangleJob& job, uint32_t* out) {
+  const DU d;
+  HWY_ALIGN uint32_t colours[kMostPixels + kSpare];
+  look_up_texels_u32(job, texels_, pixels_, colours);
+  for (size_t i = 0; i < pixels_; i += hn::Lanes(d))
+    hn::Store(LitColours(job, hn::Load(d, colours + i), hn::Load(DI(), light_ + i)), d, colours + i);
+  Store(colours, out);
+}
+
 template <typename Pixel, bool kPerspective>
-HWY_INLINE void RowList::DrawRow(const TriangleJob& job, size_t row, Pixel* HWY_RESTRICT pixels,
-                                 float* HWY_RESTRICT nearest) const {
+HWY_INLINE void RowList::DrawRow(const TriangleJob& job, size_t row, const TriangleTarget& target,
+                                 Pieces& io_pieces) const {
   const DF d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const int end = count_[row];
   int x = 0;
   do {
-    const int count = HWY_MIN(end - x, lanes);
+    const int count = HWY_MIN(end - x, lanes), place = place_[row] + x;
     const VF lane = hn::Add(hn::Iota(d, 0.0f), hn::Set(d, static_cast<float>(x)));
     const auto at_lanes = [&](int i) HWY_ATTR {
       return hn::Add(hn::Set(d, value_[i][row]), hn::Mul(lane, hn::Set(d, step_[i][row])));
     };
     const MF covered = hn::FirstN(d, static_cast<size_t>(count));
     const VF depth = at_lanes(0);
-    const MF shown = hn::And(covered, hn::Ge(depth, LoadDepth(covered, nearest + x, count)));
+    const MF shown = hn::And(covered, hn::Ge(depth, LoadDepth(covered, target.depth + place, count)));
     if (!hn::AllFalse(d, shown)) {
       VF s = at_lanes(2), t = at_lanes(3);
       if constexpr (kPerspective) {
@@ -328,8 +368,9 @@ HWY_INLINE void RowList::DrawRow(const TriangleJob& job, size_t row, Pixel* HWY_
         s = hn::Mul(s, z);
         t = hn::Mul(t, z);
       }
-      const VU colours = LitTexels(job, SkinTexels(job, s, t), at_lanes(1), Pixel{});
-      StoreWhere(shown, depth, colours, nearest + x, pixels + x, count);
+      const uint8_t shown_bits = StoreDepth(shown, depth, target.depth + place);
+      io_pieces.Add(place, count, shown_bits, SkinTexels(job, s, t), BoundedLight(at_lanes(1), Pixel{}));
+      if (!io_pieces.has_room()) io_pieces.Draw(job, static_cast<Pixel*>(target.pixels));
     }
     x += lanes;
   } while (x < end);
@@ -337,18 +378,18 @@ HWY_INLINE void RowList::DrawRow(const TriangleJob& job, size_t row, Pixel* HWY_
 
 template <typename Pixel>
 HWY_INLINE void RowList::Draw(const TriangleJob& job, const TriangleTarget& target) {
-  Pixel* const pixels = static_cast<Pixel*>(target.pixels);
   for (size_t row = 0; row < size_; ++row) {
     // The picture is larger than the near caches, and no pattern tells where the next triangle lies.
     const int ahead = place_[HWY_MIN(row + kRowsAhead, size_ - 1)];
     hwy::Prefetch(target.depth + ahead);
-    hwy::Prefetch(pixels + ahead);
+    hwy::Prefetch(static_cast<const Pixel*>(target.pixels) + ahead);
     if (perspective_[row] != 0)
-      DrawRow<Pixel, true>(job, row, pixels + place_[row], target.depth + place_[row]);
+      DrawRow<Pixel, true>(job, row, target, pieces_);
     else
-      DrawRow<Pixel, false>(job, row, pixels + place_[row], target.depth + place_[row]);
+      DrawRow<Pixel, false>(job, row, target, pieces_);
   }
   size_ = 0;
+  pieces_.Draw(job, static_cast<Pixel*>(target.pixels));
 }
 
 template <typename Pixel>
