@@ -31,7 +31,7 @@ struct Mesh {
 // The skin tells where its texels lie, and the colours show them as they are under any light, or the light
 // alone.
 std::vector<std::uint8_t> numbered_skin() {
-  std::vector<std::uint8_t> skin(kSkinWidth * kSkinHeight + 4);
+  std::vector<std::uint8_t> skin(kSkinWidth * kSkinHeight);
   for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = static_cast<std::uint8_t>(i * 31 % 251);
   return skin;
 }
@@ -50,7 +50,7 @@ struct Canvas {
 template <typename Pixel>
 struct Colours {
   std::vector<Pixel> table;
-  Colours() : table(64 * 256 + 4) {
+  Colours() : table(64 * 256) {
     Random random(5);
     for (Pixel& entry : table) entry = static_cast<Pixel>(random.bits());
     if (sizeof(Pixel) == 4)
@@ -220,12 +220,12 @@ AtPixel reference_at(const Mesh& mesh, int x, int y) {
 
 TEST(TriangleKernels, DepthAndTexelsAreWithinTheirErrors) {
   // Skins that show s, and t.
-  std::vector<std::uint8_t> s_skin(kSkinWidth * kSkinHeight + 4), t_skin = s_skin;
+  std::vector<std::uint8_t> s_skin(kSkinWidth * kSkinHeight), t_skin = s_skin;
   for (int i = 0; i < kSkinWidth * kSkinHeight; ++i) {
     s_skin[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(i % kSkinWidth);
     t_skin[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(i / kSkinWidth);
   }
-  std::vector<std::uint8_t> identity(64 * 256 + 4);
+  std::vector<std::uint8_t> identity(64 * 256);
   for (std::size_t i = 0; i < identity.size(); ++i) identity[i] = static_cast<std::uint8_t>(i);
   std::size_t compared = 0;
   for (int seed = 0; seed < effort(400, 60); ++seed) {
