@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "compiler/light/dirt.h"
+#include "world/visibility.h"
 
 namespace temblor::compiler {
 namespace {
@@ -28,16 +29,56 @@ Sphere sphere_around(std::span<const math::Vec3> points) {
   return {(mins + maxs) * 0.5f, glm::length(maxs - mins) * 0.5f};
 }
 
+// What stands up into a brush of sky is drawn there.
+bool lies_in_sky(const LitLevel& lit, std::span<const math::Vec3> places) {
+  return std::any_of(places.begin(), places.end(), [&](const math::Vec3& place) {
+    return world::point_contents(*lit.level, place) == world::Contents::kSky;
+  });
+}
+
+// Gives luxels that lie within something solid the mean of their neighbours, ring by ring, so that what is
+// seen of them fades into the rest. All stays as it is where all are hidden.
+void fill_hidden(int width, int height, std::span<const std::uint8_t> hidden,
+                 std::span<math::Vec3> io_samples) {
+  std::vector<std::uint8_t> unknown(hidden.begin(), hidden.end());
+  const auto left = [&] { return std::count(unknown.begin(), unknown.end(), std::uint8_t{1}); };
+  for (auto before = left(); before > 0 && before < static_cast<std::ptrdiff_t>(unknown.size());) {
+    const std::vector<std::uint8_t> was_unknown = unknown;
+    for (int row = 0; row < height; ++row)
+      for (int column = 0; column < width; ++column) {
+        const auto luxel = static_cast<std::size_t>(row * width + column);
+        if (was_unknown[luxel] == 0) continue;
+        math::Vec3 sum(0.0f);
+        float count = 0;
+        for (int y = std::max(0, row - 1); y <= std::min(height - 1, row + 1); ++y)
+          for (int x = std::max(0, column - 1); x <= std::min(width - 1, column + 1); ++x) {
+            const auto other = static_cast<std::size_t>(y * width + x);
+            if (was_unknown[other] != 0) continue;
+            sum += io_samples[other];
+            ++count;
+          }
+        if (count == 0) continue;
+        io_samples[luxel] = sum / count;
+        unknown[luxel] = 0;
+      }
+    const auto now = left();
+    if (now == before) return;
+    before = now;
+  }
+}
+
 class FaceLighter {
  public:
   FaceLighter(const DirectLightInput& input, std::size_t face)
       : input_(input),
         grid_(make_light_grid(input.lit, face)),
         filter_(input.lit, input.scene, grid_, input.sampling),
-        places_(filter_.luxel_places()),
+        places_(filter_.luxel_places().points),
+        hidden_(filter_.luxel_places().hidden),
         bounds_(sphere_around(places_)),
         flat_normal_(grid_.normal),
         is_flat_(!input.phong.is_curved(face)),
+        is_in_sky_(lies_in_sky(input.lit, places_)),
         unshadowed_(places_.size()) {
     if (!is_flat_ || input.settings.dirt.on) set_normals();
     if (input.settings.dirt.on && input.lit.keys_of(face).takes_dirt)
@@ -49,7 +90,7 @@ class FaceLighter {
     lit_luxels_.clear();
     float brightest = 0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      unshadowed_[i] = value_of(light, i);
+      unshadowed_[i] = hidden_[i] != 0 ? 0 : value_of(light, i);
       if (std::abs(unshadowed_[i]) <= kLightGate) continue;
       lit_luxels_.push_back(static_cast<std::uint32_t>(i));
       brightest = std::max(brightest, std::abs(unshadowed_[i]));
@@ -70,18 +111,24 @@ class FaceLighter {
     lit_luxels_.clear();
     for (std::size_t i = 0; i < places_.size(); ++i) {
       unshadowed_[i] = beam.value * angle_factor(beam.angle_scale, glm::dot(normal_of(i), beam.towards_sky));
-      if (unshadowed_[i] != 0) lit_luxels_.push_back(static_cast<std::uint32_t>(i));
+      if (unshadowed_[i] != 0 && hidden_[i] == 0) lit_luxels_.push_back(static_cast<std::uint32_t>(i));
     }
     if (lit_luxels_.empty()) return;
     const auto shares = filter_.shares(lit_luxels_, is_rough(std::abs(beam.value)),
                                        [&](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
-                                         input_.scene.towards_sky(points, beam.towards_sky, out);
+                                         if (is_in_sky_)
+                                           input_.scene.towards_void(points, beam.towards_sky, out);
+                                         else
+                                           input_.scene.towards_sky(points, beam.towards_sky, out);
                                        });
     deposit(shares, beam.colour, beam.style, beam.value < 0 ? LayerKind::kSubtract : LayerKind::kAdd,
             beam.takes_dirt);
   }
 
-  FaceLight take() && { return std::move(light_); }
+  FaceLight take() && {
+    for (LightLayer& layer : light_.layers) fill_hidden(grid_.width, grid_.height, hidden_, layer.samples);
+    return std::move(light_);
+  }
 
  private:
   void set_normals() {
@@ -133,9 +180,10 @@ class FaceLighter {
   LightGrid grid_;
   ShadowFilter filter_;
   std::span<const math::Vec3> places_;
+  std::span<const std::uint8_t> hidden_;
   Sphere bounds_;
   math::Vec3 flat_normal_;
-  bool is_flat_;
+  bool is_flat_, is_in_sky_;
   std::vector<math::Vec3> normals_;
   std::vector<float> unshadowed_;  // by luxel, of the light at hand
   std::vector<std::uint32_t> lit_luxels_;

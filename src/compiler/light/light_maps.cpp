@@ -73,7 +73,7 @@ StyledSamples samples_of(const LightSettings& settings, const SurfaceKeys& keys,
       result.rgb.push_back(rounded(bytes[channel]));
       result.brightness += result.rgb.back();
     }
-    result.grey.push_back(rounded((bytes.x + bytes.y + bytes.z) / 3));
+    result.grey.push_back(rounded(brightest_of(bytes)));
   }
   return result;
 }

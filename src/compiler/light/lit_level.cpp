@@ -1,10 +1,13 @@
 #include "compiler/light/lit_level.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "base/text.h"
 #include "world/face_at.h"
 
 namespace temblor::compiler {
@@ -20,9 +23,17 @@ std::optional<std::size_t> shown_model(const formats::Entity& entity) {
   return error == std::errc{} ? std::optional<std::size_t>(number) : std::nullopt;
 }
 
+// Textures of brushes that are there for the game alone.
+bool is_never_drawn(std::string_view texture) {
+  constexpr std::array<std::string_view, 6> kNames{"trigger", "clip", "skip", "hint", "hintskip", "origin"};
+  return std::any_of(kNames.begin(), kNames.end(),
+                     [&](std::string_view name) { return base::equal_ignoring_case(name, texture); });
+}
+
 bool may_be_lit(const world::Level& level, const world::Face& face, std::int32_t texinfo_flags) {
   const bool sky = level.texture(face.texture).kind == world::TextureKind::kSky;
-  return !sky && (texinfo_flags & kFlagNoLight) == 0 && face.surfedge_count >= 3;
+  return !sky && !is_never_drawn(level.texture(face.texture).name) && (texinfo_flags & kFlagNoLight) == 0 &&
+         face.surfedge_count >= 3;
 }
 
 // The share of light that an ordinary texel lets through: tinted by nothing, as glass is drawn by games.

@@ -56,6 +56,17 @@ math::Vec3 share_through(const SieveSurface& surface, const math::Vec3& point, c
   return surface.passes;
 }
 
+struct SkySet {
+  std::vector<OccluderTriangle> triangles;
+  std::vector<math::Vec3> normals;
+};
+
+math::Vec3 direction_of(const RTCFilterFunctionNArguments& arguments, unsigned lane) {
+  const unsigned lanes = arguments.N;
+  return {RTCRayN_dir_x(arguments.ray, lanes, lane), RTCRayN_dir_y(arguments.ray, lanes, lane),
+          RTCRayN_dir_z(arguments.ray, lanes, lane)};
+}
+
 struct SieveSet {
   std::vector<OccluderTriangle> triangles;
   std::vector<SieveSurface> surfaces;
@@ -68,9 +79,7 @@ void pass_sieves(const RTCFilterFunctionNArguments* arguments) {
   for (unsigned i = 0; i < lanes; ++i) {
     if (arguments->valid[i] == 0) continue;
     const unsigned triangle = RTCHitN_primID(arguments->hit, lanes, i);
-    const math::Vec3 direction(RTCRayN_dir_x(arguments->ray, lanes, i),
-                               RTCRayN_dir_y(arguments->ray, lanes, i),
-                               RTCRayN_dir_z(arguments->ray, lanes, i));
+    const math::Vec3 direction = direction_of(*arguments, i);
     const math::Vec3 origin(RTCRayN_org_x(arguments->ray, lanes, i), RTCRayN_org_y(arguments->ray, lanes, i),
                             RTCRayN_org_z(arguments->ray, lanes, i));
     const math::Vec3 point = origin + direction * RTCRayN_tfar(arguments->ray, lanes, i);
@@ -85,6 +94,18 @@ void pass_sieves(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
+// From behind, sky is not seen; often another face of it, which is, lies in the same plane.
+void turn_down_back_sides(const RTCFilterFunctionNArguments* arguments) {
+  const auto& skies = *static_cast<const SkySet*>(arguments->geometryUserPtr);
+  const unsigned lanes = arguments->N;
+  for (unsigned i = 0; i < lanes; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const unsigned triangle = RTCHitN_primID(arguments->hit, lanes, i);
+    const math::Vec3& normal = skies.normals[skies.triangles[triangle].surface];
+    if (glm::dot(direction_of(*arguments, i), normal) >= 0) arguments->valid[i] = 0;
+  }
+}
+
 math::Vec3 share_after(const std::array<std::int32_t, 3>& lost) {
   if (lost == std::array<std::int32_t, 3>{}) return math::Vec3(1.0f);
   math::Vec3 share;
@@ -93,8 +114,13 @@ math::Vec3 share_after(const std::array<std::int32_t, 3>& lost) {
   return share;
 }
 
+struct Filter {
+  void* data = nullptr;
+  RTCFilterFunctionN occluded = nullptr, intersected = nullptr;
+};
+
 void add_triangles(RTCDevice device, RTCScene scene, std::span<const math::Vec3> vertices,
-                   std::span<const OccluderTriangle> triangles, const SieveSet* sieves) {
+                   std::span<const OccluderTriangle> triangles, const Filter& filter) {
   if (triangles.empty()) return;
   const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   // Embree reads 16 bytes at each vertex: its own buffer has the room behind the last one.
@@ -108,11 +134,9 @@ void add_triangles(RTCDevice device, RTCScene scene, std::span<const math::Vec3>
     for (const OccluderTriangle& triangle : triangles)
       corner = std::copy_n(triangle.corners.begin(), 3, corner);
   }
-  if (sieves != nullptr) {
-    // Embree does not write through it, though its type would let it.
-    rtcSetGeometryUserData(geometry, const_cast<SieveSet*>(sieves));
-    rtcSetGeometryOccludedFilterFunction(geometry, pass_sieves);
-  }
+  rtcSetGeometryUserData(geometry, filter.data);
+  if (filter.occluded != nullptr) rtcSetGeometryOccludedFilterFunction(geometry, filter.occluded);
+  if (filter.intersected != nullptr) rtcSetGeometryIntersectFilterFunction(geometry, filter.intersected);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
@@ -167,8 +191,8 @@ struct RayScene::Scenes {
   Device device;
   Scene blockers, opaque, sky;
   SieveSet sieves;
-  std::vector<OccluderTriangle> opaque_triangles, sky_triangles;
-  std::vector<math::Vec3> sky_normals;
+  SkySet skies;
+  std::vector<OccluderTriangle> opaque_triangles;
 
   // Shares of the rays that `mask` names; the others' are left alone.
   void shares(const LaneMask& mask, RTCRay16& io_rays, math::Vec3* out_share) const {
@@ -198,16 +222,16 @@ base::Result<RayScene> RayScene::make(Occluders occluders) {
   const RTCDevice device = scenes->device.get();
   scenes->sieves = {std::move(occluders.sieves), std::move(occluders.sieve_surfaces)};
   scenes->opaque_triangles = std::move(occluders.opaque);
-  scenes->sky_triangles = std::move(occluders.skies);
-  scenes->sky_normals = std::move(occluders.sky_normals);
+  scenes->skies = {std::move(occluders.skies), std::move(occluders.sky_normals)};
   scenes->opaque = make_scene(device);
-  add_triangles(device, scenes->opaque.get(), occluders.vertices, scenes->opaque_triangles, nullptr);
+  add_triangles(device, scenes->opaque.get(), occluders.vertices, scenes->opaque_triangles, {});
   scenes->blockers = make_scene(device);
-  add_triangles(device, scenes->blockers.get(), occluders.vertices, scenes->opaque_triangles, nullptr);
+  add_triangles(device, scenes->blockers.get(), occluders.vertices, scenes->opaque_triangles, {});
   add_triangles(device, scenes->blockers.get(), occluders.vertices, scenes->sieves.triangles,
-                &scenes->sieves);
+                {&scenes->sieves, pass_sieves, nullptr});
   scenes->sky = make_scene(device);
-  add_triangles(device, scenes->sky.get(), occluders.vertices, scenes->sky_triangles, nullptr);
+  add_triangles(device, scenes->sky.get(), occluders.vertices, scenes->skies.triangles,
+                {&scenes->skies, nullptr, turn_down_back_sides});
   for (const RTCScene scene : {scenes->opaque.get(), scenes->blockers.get(), scenes->sky.get()})
     rtcCommitScene(scene);
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE)
@@ -217,7 +241,7 @@ base::Result<RayScene> RayScene::make(Occluders occluders) {
 }
 
 bool RayScene::has_sky() const {
-  return !scenes_->sky_triangles.empty();
+  return !scenes_->skies.triangles.empty();
 }
 
 void RayScene::towards_point(std::span<const math::Vec3> points, const math::Vec3& source_world,
@@ -249,14 +273,21 @@ void RayScene::towards_sky(std::span<const math::Vec3> points, const math::Vec3&
     fill_lanes(rays.ray, count);
     LaneMask mask = first_lanes(count);
     intersect16(mask.lane.data(), scenes_->sky.get(), context, rays);
-    for (std::size_t i = 0; i < count; ++i) {
-      const bool hit = rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
-      // From behind, sky is the outside of another part of the level.
-      if (!hit ||
-          glm::dot(direction, scenes_->sky_normals[scenes_->sky_triangles[rays.hit.primID[i]].surface]) >= 0)
-        mask.lane[i] = 0;
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) mask.lane[i] = 0;
     if (mask.any()) scenes_->shares(mask, rays.ray, out_share.data() + first);
+  }
+}
+
+void RayScene::towards_void(std::span<const math::Vec3> points, const math::Vec3& direction,
+                            std::span<math::Vec3> out_share) const {
+  CHECK(points.size() == out_share.size());
+  RTCRay16 rays;
+  for (std::size_t first = 0; first < points.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, points.size() - first);
+    for (std::size_t i = 0; i < count; ++i) set_lane(rays, i, points[first + i], direction, kToTheSky);
+    fill_lanes(rays, count);
+    scenes_->shares(first_lanes(count), rays, out_share.data() + first);
   }
 }
 

@@ -61,6 +61,10 @@ class RayScene {
   // The same along `direction` (a unit vector away from the points), which has to end on sky.
   void towards_sky(std::span<const math::Vec3> points, const math::Vec3& direction,
                    std::span<math::Vec3> out_share) const;
+  // The same from points inside a brush of sky, which has no faces towards the void outside the level: what
+  // meets nothing at all arrives.
+  void towards_void(std::span<const math::Vec3> points, const math::Vec3& direction,
+                    std::span<math::Vec3> out_share) const;
   // What opaque surface lies first along each of `directions` (unit vectors), up to max_distance.
   void nearest(std::span<const math::Vec3> points, std::span<const math::Vec3> directions, float max_distance,
                std::span<RayHit> out_hits) const;

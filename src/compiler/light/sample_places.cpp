@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "world/face_at.h"
 #include "world/visibility.h"
@@ -44,16 +45,16 @@ math::Vec3d inside_face(const LightGrid& grid, const math::Vec3d& point) {
 }
 
 bool in_open(const world::Level& level, const math::Vec3d& place) {
-  const world::Contents contents = world::point_contents(level, math::Vec3(place));
-  return contents != world::Contents::kSolid && contents != world::Contents::kSky;
+  return world::point_contents(level, math::Vec3(place)) != world::Contents::kSolid;
 }
 
-// `place` moved towards the face's middle until it is in the open; where nothing is, `place` itself.
-math::Vec3d moved_into_open(const world::Level& level, const math::Vec3d& place, const math::Vec3d& middle) {
+// `place` moved towards the face's middle until it is in the open; nothing where nothing is.
+std::optional<math::Vec3d> moved_into_open(const world::Level& level, const math::Vec3d& place,
+                                           const math::Vec3d& middle) {
   constexpr std::array<double, 6> kTries{0.0, 0.02, 0.1, 0.25, 0.5, 1.0};
   for (const double share : kTries)
     if (const math::Vec3d moved = place + (middle - place) * share; in_open(level, moved)) return moved;
-  return place;
+  return std::nullopt;
 }
 
 // From `start` towards `end`, as far as nothing is in the way.
@@ -67,15 +68,18 @@ math::Vec3d farthest_open(const RayScene& scene, const math::Vec3d& start, const
   return start + math::Vec3d(direction) * double{std::clamp(hit.distance - kKeepAway, 0.0f, length)};
 }
 
-math::Vec3d place_for(const LitLevel& lit, const RayScene& scene, const LightGrid& grid,
-                      const math::Vec3d& on_plane) {
+void add_place(const LitLevel& lit, const RayScene& scene, const LightGrid& grid, const math::Vec3d& on_plane,
+               SamplePlaces& io_places) {
   const world::Level& level = *lit.level;
   const math::Vec3d lift = grid.normal * kLift;
   const math::Vec3d inside = inside_face(grid, on_plane);
-  const math::Vec3d start = moved_into_open(level, inside + lift, grid.middle_world + lift);
-  if (inside == on_plane) return start;
-  const math::Vec3d place = farthest_open(scene, start, on_plane + lift);
-  return in_open(level, place) ? place : start;
+  const std::optional<math::Vec3d> start = moved_into_open(level, inside + lift, grid.middle_world + lift);
+  math::Vec3d place = start.value_or(inside + lift);
+  if (start && inside != on_plane)
+    if (const math::Vec3d farther = farthest_open(scene, *start, on_plane + lift); in_open(level, farther))
+      place = farther;
+  io_places.points.emplace_back(place);
+  io_places.hidden.push_back(start ? 0 : 1);
 }
 
 }  // namespace
@@ -110,18 +114,18 @@ LightGrid make_light_grid(const LitLevel& lit, std::size_t number) {
   return grid;
 }
 
-std::vector<math::Vec3> sample_places(const LitLevel& lit, const RayScene& scene, const LightGrid& grid,
-                                      int per_luxel) {
-  std::vector<math::Vec3> places;
+SamplePlaces sample_places(const LitLevel& lit, const RayScene& scene, const LightGrid& grid, int per_luxel) {
+  SamplePlaces places;
   const int columns = grid.width * per_luxel, rows = grid.height * per_luxel;
-  places.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  places.points.reserve(count);
+  places.hidden.reserve(count);
   // The middle of part i of the square around its luxel.
   const auto along = [&](int i) { return (i + 0.5) / per_luxel - 0.5; };
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column)
-      places.emplace_back(
-          place_for(lit, scene, grid,
-                    grid.origin_world + grid.column_step * along(column) + grid.row_step * along(row)));
+      add_place(lit, scene, grid,
+                grid.origin_world + grid.column_step * along(column) + grid.row_step * along(row), places);
   return places;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -26,11 +27,15 @@ struct LightGrid {
 // A face whose texture axes span no plane has all of its luxels in its middle.
 LightGrid make_light_grid(const LitLevel& lit, std::size_t face);
 
+struct SamplePlaces {
+  std::vector<math::Vec3> points;
+  std::vector<std::uint8_t> hidden;  // 1: within something solid, with nothing open to be found near
+};
+
 // The open place for every sample of the grid, `per_luxel` each way, row by row; a luxel stands for the
 // square around it, one step wide. A place lies a unit before the face. Where the grid sticks out of the
 // face, the place is the grid's own as far as one can go there from the face without meeting anything: so
 // neighbours in one plane measure the same light along their seam, and nothing is measured beyond a wall.
-std::vector<math::Vec3> sample_places(const LitLevel& lit, const RayScene& scene, const LightGrid& grid,
-                                      int per_luxel);
+SamplePlaces sample_places(const LitLevel& lit, const RayScene& scene, const LightGrid& grid, int per_luxel);
 
 }  // namespace temblor::compiler

@@ -21,42 +21,51 @@ ShadowFilter::ShadowFilter(const LitLevel& lit, const RayScene& scene, const Lig
       known_(grid.size()),
       mixed_(grid.size()) {}
 
-const ShadowFilter::Places& ShadowFilter::places(int per_luxel) {
+const SamplePlaces& ShadowFilter::places(int per_luxel) {
+  if (per_luxel == 1) return single_;
   for (const Places& finer : finer_)
-    if (finer.per_luxel == per_luxel) return finer;
-  const std::vector<math::Vec3> rows = sample_places(lit_, scene_, grid_, per_luxel);
-  Places places{per_luxel, {}};
-  places.places.reserve(rows.size());
+    if (finer.per_luxel == per_luxel) return finer.places;
+  const SamplePlaces rows = sample_places(lit_, scene_, grid_, per_luxel);
+  SamplePlaces places;
+  places.points.reserve(rows.points.size());
+  places.hidden.reserve(rows.points.size());
   const int columns = grid_.width * per_luxel;
   for (int luxel = 0; luxel < grid_.width * grid_.height; ++luxel)
     for (int i = 0; i < per_luxel * per_luxel; ++i) {
       const int column = luxel % grid_.width * per_luxel + i % per_luxel;
       const int row = luxel / grid_.width * per_luxel + i / per_luxel;
-      places.places.push_back(rows[static_cast<std::size_t>(row * columns + column)]);
+      const auto from = static_cast<std::size_t>(row * columns + column);
+      places.points.push_back(rows.points[from]);
+      places.hidden.push_back(rows.hidden[from]);
     }
-  finer_.push_back(std::move(places));
-  return finer_.back();
+  return finer_.emplace_back(Places{per_luxel, std::move(places)}).places;
 }
 
 void ShadowFilter::sample(std::span<const std::uint32_t> luxels, int per_luxel, ShareQuery query) {
-  const std::vector<math::Vec3>& from = per_luxel == 1 ? single_ : places(per_luxel).places;
+  const SamplePlaces& from = places(per_luxel);
   const auto each = static_cast<std::size_t>(per_luxel) * static_cast<std::size_t>(per_luxel);
   points_.clear();
   for (const std::uint32_t luxel : luxels)
-    points_.insert(points_.end(), from.begin() + static_cast<std::ptrdiff_t>(luxel * each),
-                   from.begin() + static_cast<std::ptrdiff_t>((luxel + 1) * each));
+    points_.insert(points_.end(), from.points.begin() + static_cast<std::ptrdiff_t>(luxel * each),
+                   from.points.begin() + static_cast<std::ptrdiff_t>((luxel + 1) * each));
   answers_.resize(points_.size());
   query(points_, answers_);
   for (std::size_t i = 0; i < luxels.size(); ++i) {
-    const std::span<const math::Vec3> answers(answers_.data() + i * each, each);
-    math::Vec3 sum(0.0f);
+    const std::size_t luxel = luxels[i];
+    math::Vec3 sum(0.0f), first(0.0f);
+    float count = 0;
     bool mixed = false;
-    for (const math::Vec3& answer : answers) {
+    for (std::size_t k = 0; k < each; ++k) {
+      if (from.hidden[luxel * each + k] != 0) continue;
+      const math::Vec3& answer = answers_[i * each + k];
+      if (count == 0) first = answer;
+      mixed = mixed || answer != first;
       sum += answer;
-      mixed = mixed || answer != answers[0];
+      ++count;
     }
-    share_of_luxel_[luxels[i]] = sum / static_cast<float>(each);
-    mixed_[luxels[i]] = mixed;
+    // A luxel with an open middle may have all of its parts hidden in corners.
+    if (count > 0) share_of_luxel_[luxel] = sum / count;
+    mixed_[luxel] = mixed;
   }
 }
 

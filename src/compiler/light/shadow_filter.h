@@ -31,18 +31,18 @@ class ShadowFilter {
  public:
   ShadowFilter(const LitLevel& lit, const RayScene& scene, const LightGrid& grid, ShadowSampling sampling);
 
-  std::span<const math::Vec3> luxel_places() const { return single_; }
+  const SamplePlaces& luxel_places() const { return single_; }
 
-  // The shares of the luxels named by `luxels`, in order; with `rough`, of one sample each. Valid until the
-  // next call.
+  // The shares of the luxels named by `luxels`, none of them hidden, in order; with `rough`, of one sample
+  // each. Valid until the next call.
   std::span<const math::Vec3> shares(std::span<const std::uint32_t> luxels, bool rough, ShareQuery query);
 
  private:
   struct Places {
     int per_luxel = 0;
-    std::vector<math::Vec3> places;  // all samples of a luxel together
+    SamplePlaces places;  // all samples of a luxel together
   };
-  const Places& places(int per_luxel);
+  const SamplePlaces& places(int per_luxel);
   void sample(std::span<const std::uint32_t> luxels, int per_luxel, ShareQuery query);
   bool is_at_edge(std::uint32_t luxel) const;
 
@@ -50,7 +50,7 @@ class ShadowFilter {
   const RayScene& scene_;
   const LightGrid& grid_;
   ShadowSampling sampling_;
-  std::vector<math::Vec3> single_;
+  SamplePlaces single_;
   std::vector<Places> finer_;
   std::vector<math::Vec3> points_, answers_;  // of the samples asked for
   std::vector<math::Vec3> share_of_luxel_;    // of the whole grid
