@@ -10,6 +10,7 @@
 #include "compiler/bsp/leaf_portals.h"
 #include "compiler/bsp/level_brushes.h"
 #include "compiler/bsp/level_writer.h"
+#include "compiler/bsp/second_tree.h"
 #include "compiler/bsp/tree.h"
 
 namespace temblor::compiler {
@@ -32,14 +33,17 @@ Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& le
   std::vector<Brush> drawn;
   std::copy_if(brushes.begin(), brushes.end(), std::back_inserter(drawn),
                [](const Brush& b) { return b.is_drawn; });
+  Tree first = build_tree(drawn, level.planes);
+  const LeafPortals first_portals = make_leaf_portals(first, level.planes);
   Partition made;
-  made.tree = build_tree(drawn, level.planes);
-  made.portals = make_leaf_portals(made.tree, level.planes);
   if (is_world && options.fill_outside)
-    made.leak = fill_outside(made.tree, level.planes, made.portals, level.occupants_world);
-  made.faces = make_faces(made.tree, made.portals.portals, drawn);
-  // Only now: a leaf must hold what fills it, to know what is seen of it.
+    made.leak = fill_outside(first, level.planes, first_portals, level.occupants_world);
+  const std::vector<TreeFace> faces = make_faces(first, first_portals.portals, drawn);
+  SecondTree second = make_second_tree(first, first_portals.portals, drawn, level.planes);
+  made.tree = std::move(second.tree);
+  made.portals = std::move(second.portals);
   prune(made.tree, [](const TreeLeaf& a, const TreeLeaf& b) { return are_one(a, b); });
+  made.faces = place_faces(faces, made.tree, level.planes);
   merge_faces(made.faces, level.planes);
   subdivide_faces(made.faces, level.surfaces, options.subdivide_texels);
   return made;
@@ -47,12 +51,12 @@ Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& le
 
 Partition partition_hull(std::span<const Brush> expanded, const LevelBrushes& level, bool is_world,
                          const DraftOptions& options) {
+  Tree first = build_tree(expanded, level.planes);
+  const LeafPortals first_portals = make_leaf_portals(first, level.planes);
   Partition made;
-  made.tree = build_tree(expanded, level.planes);
-  if (is_world && options.fill_outside) {
-    made.portals = make_leaf_portals(made.tree, level.planes);
-    made.leak = fill_outside(made.tree, level.planes, made.portals, level.occupants_world);
-  }
+  if (is_world && options.fill_outside)
+    made.leak = fill_outside(first, level.planes, first_portals, level.occupants_world);
+  made.tree = make_second_tree(first, first_portals.portals, expanded, level.planes).tree;
   prune(made.tree, [](const TreeLeaf& a, const TreeLeaf& b) { return a.fill == b.fill; });
   return made;
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/text.h"
+#include "compiler/surface_keys.h"
 #include "compiler/texture_axes.h"
 
 namespace temblor::compiler {
@@ -160,7 +161,7 @@ class Sorter {
   base::Status add_brushes(std::size_t entity_number, const BrushClass& of_class,
                            const math::Vec3d& origin_world, std::vector<Brush>& out) {
     const formats::MapEntity& entity = map_.entities[entity_number];
-    const std::uint32_t keys = add_keys(entity.fields, of_class);
+    const std::uint32_t keys = add_keys(entity.fields);
     for (std::size_t i = 0; i < entity.brushes.size(); ++i) {
       const formats::MapBrush& from = entity.brushes[i];
       const BrushPlace place{entity_number, i, from.line};
@@ -188,22 +189,8 @@ class Sorter {
     return base::Ok{};
   }
 
-  std::uint32_t add_keys(const formats::Entity& fields, const BrushClass& of_class) {
-    SurfaceKeys keys;
-    if (fields.find_number("_phong").value_or(0) > 0) keys.phong_angle_deg = 89;
-    keys.phong_angle_deg = fields.find_number("_phong_angle").value_or(keys.phong_angle_deg);
-    keys.phong_angle_concave_deg = fields.find_number("_phong_angle_concave").value_or(0);
-    keys.phong_group = static_cast<std::int32_t>(fields.find_number("_phong_group").value_or(0));
-    // The world's own is a setting of the whole level's light.
-    if (fields.classname() != "worldspawn") keys.min_light = fields.find_number("_minlight").value_or(0);
-    keys.casts_shadow =
-        fields.find_number("_shadow").value_or(of_class.solid != Fill::kIllusionary ? 1 : 0) > 0;
-    keys.takes_dirt = fields.find_number("_dirt").value_or(1) >= 0;
-    keys.takes_bounce = fields.find_number("_bounce").value_or(1) >= 0;
-    keys.ignores_light = fields.find_number("_lightignore").value_or(0) > 0;
-    if (const float scale = fields.find_number("_lmscale").value_or(1); scale > 0)
-      keys.light_map_scale = scale;
-    keys.light_alpha = fields.find_number("_light_alpha").value_or(1);
+  std::uint32_t add_keys(const formats::Entity& fields) {
+    const SurfaceKeys keys = surface_keys_of(fields);
     const auto known = std::find(out_.surface_keys.begin(), out_.surface_keys.end(), keys);
     if (known != out_.surface_keys.end())
       return static_cast<std::uint32_t>(known - out_.surface_keys.begin());
