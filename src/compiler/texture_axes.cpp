@@ -8,8 +8,6 @@ namespace {
 
 using math::Vec3d;
 
-constexpr TextureAxes kNoTexture{};
-
 // The standard alignment looks at a side along the world's axis nearest to its normal. `s` and `t` are the
 // coordinates that run along the texture, t always downwards.
 struct Projection {
@@ -68,19 +66,6 @@ TextureAxes primitive_axes(const formats::MapTexturing& texturing, const Vec3d& 
           t[2] * size_texels.y};
 }
 
-TextureAxes axes_of_text(const formats::MapTexturing& texturing, const Vec3d& normal,
-                         const math::Vec2d& size_texels) {
-  switch (texturing.alignment) {
-    case formats::MapAlignment::kStandard:
-      return standard_axes(texturing, normal);
-    case formats::MapAlignment::kValve:
-      return valve_axes(texturing);
-    case formats::MapAlignment::kBrushPrimitive:
-      return primitive_axes(texturing, normal, size_texels);
-  }
-  return kNoTexture;
-}
-
 // Comparisons are written so that what is no number fails them.
 bool is_usable(const TextureAxes& axes, const Vec3d& normal) {
   const auto in_range = [](double texels_per_unit) {
@@ -111,9 +96,22 @@ std::array<Vec3d, 2> brush_primitive_axes(const Vec3d& normal) {
   return {Vec3d(-sin_yaw, cos_yaw, 0), Vec3d(normal.z * cos_yaw, normal.z * sin_yaw, -across)};
 }
 
+TextureAxes text_axes(const formats::MapTexturing& texturing, const Vec3d& normal,
+                      const math::Vec2d& texture_size_texels) {
+  switch (texturing.alignment) {
+    case formats::MapAlignment::kValve:
+      return valve_axes(texturing);
+    case formats::MapAlignment::kBrushPrimitive:
+      return primitive_axes(texturing, normal, texture_size_texels);
+    case formats::MapAlignment::kStandard:
+      break;
+  }
+  return standard_axes(texturing, normal);
+}
+
 SideAxes side_axes(const formats::MapTexturing& texturing, const Vec3d& normal,
                    const math::Vec2d& texture_size_texels) {
-  SideAxes result{axes_of_text(texturing, normal, texture_size_texels)};
+  SideAxes result{text_axes(texturing, normal, texture_size_texels)};
   if (!is_usable(result.axes, normal)) return {standard_axes({}, normal), true};
   result.axes.s_offset = without_repetitions(result.axes.s_offset, texture_size_texels.x);
   result.axes.t_offset = without_repetitions(result.axes.t_offset, texture_size_texels.y);

@@ -39,6 +39,10 @@ constexpr double kMinTexelsPerUnit = 1e-5;
 SideAxes side_axes(const formats::MapTexturing& texturing, const math::Vec3d& normal,
                    const math::Vec2d& texture_size_texels);
 
+// What the text says, whether it covers the side or not; nothing is taken from the offsets.
+TextureAxes text_axes(const formats::MapTexturing& texturing, const math::Vec3d& normal,
+                      const math::Vec2d& texture_size_texels);
+
 formats::BspTexinfo to_texinfo(const TextureAxes& axes, std::int32_t miptex, std::int32_t flags);
 
 // The two directions within a plane along which brush primitives measure s and t: as in Quake III Arena's
