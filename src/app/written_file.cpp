@@ -8,7 +8,8 @@ namespace temblor::app {
 namespace {
 
 base::Error cannot_write(const std::filesystem::path& path, const std::string& reason) {
-  return {base::ErrorCode::kIo, "cannot be written (" + reason + "): choose another place with -o", path.string()};
+  return {base::ErrorCode::kIo, "cannot be written (" + reason + "): choose another place with -o",
+          path.string()};
 }
 
 }  // namespace

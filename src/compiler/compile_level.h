@@ -22,6 +22,7 @@ struct CompileOptions {
   MipLevels mip_levels = MipLevels::kFromSource;
   // What is left out: a level without visibility shows everything, one without light is drawn full-bright.
   bool visibility = true, lighting = true;
+  bool fast_visibility = false;  // from the sides of planes alone
 };
 
 struct StageTime {

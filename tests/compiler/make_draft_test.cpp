@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "compiler/room_map.h"
+#include "support/room_map.h"
 #include "formats/bsp_validate.h"
 #include "formats/entities.h"
 #include "support/random.h"
