@@ -33,7 +33,7 @@ Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& le
   std::vector<Brush> drawn;
   std::copy_if(brushes.begin(), brushes.end(), std::back_inserter(drawn),
                [](const Brush& b) { return b.is_drawn; });
-  Tree first = build_tree(drawn, level.planes);
+  Tree first = build_tree(drawn, level.planes, Cover::kLast);
   const LeafPortals first_portals = make_leaf_portals(first, level.planes);
   Partition made;
   if (is_world && options.fill_outside)
@@ -51,7 +51,7 @@ Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& le
 
 Partition partition_hull(std::span<const Brush> expanded, const LevelBrushes& level, bool is_world,
                          const DraftOptions& options) {
-  Tree first = build_tree(expanded, level.planes);
+  Tree first = build_tree(expanded, level.planes, Cover::kAnySolid);
   const LeafPortals first_portals = make_leaf_portals(first, level.planes);
   Partition made;
   if (is_world && options.fill_outside)

@@ -97,8 +97,8 @@ bool has_volume(const Piece& piece) {
 
 class TreeBuilder {
  public:
-  TreeBuilder(std::span<const Brush> brushes, const PlaneSet& planes)
-      : brushes_(brushes), planes_(planes), weighed_(planes.size(), 0) {}
+  TreeBuilder(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover)
+      : brushes_(brushes), planes_(planes), cover_(cover), weighed_(planes.size(), 0) {}
 
   Tree build() {
     Pieces pieces;
@@ -120,6 +120,7 @@ class TreeBuilder {
 
  private:
   std::int32_t grow(Pieces pieces, const Box& box) {
+    keep_cover_alone(pieces);
     bool is_detail = false;
     const std::optional<PlaneIndex> plane = choose(pieces, box, is_detail);
     if (!plane) return add_leaf(pieces);
@@ -134,6 +135,23 @@ class TreeBuilder {
     const std::int32_t back_child = grow(std::move(back), back_box);
     tree_.nodes[static_cast<std::size_t>(index)].children = {front_child, back_child};
     return index;
+  }
+
+  // Where a solid brush fills the whole node, nothing else in it matters.
+  void keep_cover_alone(Pieces& io_pieces) const {
+    if (cover_ == Cover::kNone || io_pieces.size() < 2) return;
+    std::uint32_t last = 0;
+    for (const Piece& piece : io_pieces) last = std::max(last, piece.brush);
+    for (Piece& piece : io_pieces) {
+      if (brushes_[piece.brush].fill != Fill::kSolid || (cover_ == Cover::kLast && piece.brush != last))
+        continue;
+      const auto splits = [](const PieceSide& side) { return side.splits; };
+      if (std::any_of(piece.sides.begin(), piece.sides.end(), splits)) continue;
+      Piece cover = std::move(piece);
+      io_pieces.clear();
+      io_pieces.push_back(std::move(cover));
+      return;
+    }
   }
 
   void divide(Pieces pieces, PlaneIndex number, Pieces& out_front, Pieces& out_back) {
@@ -244,6 +262,7 @@ class TreeBuilder {
 
   std::span<const Brush> brushes_;
   const PlaneSet& planes_;
+  Cover cover_;
   std::vector<std::uint32_t> weighed_;  // by plane: the last round in which it was
   std::uint32_t round_ = 0;
   Tree tree_;
@@ -260,8 +279,8 @@ std::uint32_t Tree::leaf_at(const math::Vec3d& point, const PlaneSet& planes) co
   return static_cast<std::uint32_t>(~child);
 }
 
-Tree build_tree(std::span<const Brush> brushes, const PlaneSet& planes) {
-  return TreeBuilder(brushes, planes).build();
+Tree build_tree(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover) {
+  return TreeBuilder(brushes, planes, cover).build();
 }
 
 void prune(Tree& io_tree, base::FunctionRef<bool(const TreeLeaf&, const TreeLeaf&)> same) {

@@ -38,7 +38,14 @@ struct Tree {
 // brushes in a node the plane is taken that costs least: 8 for a brush that it splits, 4 less for one that
 // has a side in it, 1 for each brush that is more on one side than on the other, 6 less along an axis; where
 // many brushes are left, the plane along an axis next to the node's middle, which is found quicker.
-Tree build_tree(std::span<const Brush> brushes, const PlaneSet& planes);
+//
+// `cover`: which brush, when it fills a node, makes all others in it meaningless.
+enum class Cover : std::uint8_t {
+  kNone,     // sides that do not split leave it open whether a brush fills a node
+  kLast,     // a solid one behind which no other comes: what shows is known, too
+  kAnySolid  // of what is never drawn
+};
+Tree build_tree(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover);
 
 // Takes away nodes whose children are leafs that `same` says are one; the first keeps its number.
 void prune(Tree& io_tree, base::FunctionRef<bool(const TreeLeaf&, const TreeLeaf&)> same);
