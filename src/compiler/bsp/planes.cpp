@@ -1,5 +1,6 @@
 #include "compiler/bsp/planes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace temblor::compiler {
@@ -20,10 +21,12 @@ void snap(math::Vec3d& io_normal, double& io_distance) {
   }
 }
 
+// The first of those that are as long as the longest: rounding must not make two planes of one.
 int dominant_axis(const math::Vec3d& normal) {
+  constexpr double kAsLong = 1e-4;
   const math::Vec3d size = glm::abs(normal);
-  if (size.x >= size.y && size.x >= size.z) return 0;
-  return size.y >= size.z ? 1 : 2;
+  const double least = std::max({size.x, size.y, size.z}) - kAsLong;
+  return size.x >= least ? 0 : size.y >= least ? 1 : 2;
 }
 
 }  // namespace

@@ -24,11 +24,19 @@ std::vector<Brush> only_bounding(const Tree& tree, std::span<const LeafPortal> p
     const PlaneIndex plane = tree.nodes[portal.node].plane;
     Box box;
     box.add(portal.winding);
+    bool found = false;
     for (const TreeLeaf* leaf : {&front, &back})
       for (const std::uint32_t brush : leaf->brushes)
-        for (std::size_t i = 0; i < kept[brush].sides.size(); ++i)
-          if (stored(kept[brush].sides[i].plane) == plane && overlap(side_boxes[brush][i], box))
-            kept[brush].sides[i].splits = true;
+        for (std::size_t i = 0; i < kept[brush].sides.size(); ++i) {
+          if (stored(kept[brush].sides[i].plane) != plane || !overlap(side_boxes[brush][i], box)) continue;
+          kept[brush].sides[i].splits = true;
+          found = true;
+        }
+    if (found) continue;
+    // The plane is another brush's, so near to one of these that the tree took both for one.
+    for (const TreeLeaf* leaf : {&front, &back})
+      for (const std::uint32_t brush : leaf->brushes)
+        for (BrushSide& side : kept[brush].sides) side.splits = true;
   }
   return kept;
 }

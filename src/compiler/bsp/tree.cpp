@@ -72,15 +72,16 @@ std::pair<Piece, Piece> split(const Piece& piece, PlaneIndex number, const Plane
   parts.first.is_detail = parts.second.is_detail = piece.is_detail;
   for (const PieceSide& side : piece.sides) {
     WindingParts cut = split(side.winding, plane);
-    if (!is_tiny(cut.front)) parts.first.sides.push_back({side.plane, side.splits, std::move(cut.front)});
-    if (!is_tiny(cut.back)) parts.second.sides.push_back({side.plane, side.splits, std::move(cut.back)});
+    // However narrow: without it the part would have no end on that side.
+    if (!cut.front.empty()) parts.first.sides.push_back({side.plane, side.splits, std::move(cut.front)});
+    if (!cut.back.empty()) parts.second.sides.push_back({side.plane, side.splits, std::move(cut.back)});
   }
   Winding between = whole_plane(plane);
   for (const PieceSide& side : piece.sides) {
     cut_to_back(between, planes[side.plane], true);
     if (between.empty()) break;
   }
-  if (!is_tiny(between)) {
+  if (!between.empty()) {
     Winding turned_round(between.rbegin(), between.rend());
     // The front part lies behind the plane as seen from the back, and the other way round.
     parts.first.sides.push_back({turned(number), false, std::move(turned_round)});
