@@ -145,6 +145,7 @@ void print_summary(const compiler::CompiledLevel& level, const fs::path& out, st
         Count{"visibility bytes", bsp.visibility.size(), 1048576}})
     fmt::print("  {:<18} {:>8} of {}{}\n", c.what, c.count, c.classic,
                c.count > c.classic ? "  over the original's limit" : "");
+  fmt::print("  leafs seen on average {:.1f} %\n", level.mean_visible_share * 100);
   for (const compiler::StageTime& time : level.times)
     fmt::print("  {:<18} {:>8.2f} s\n", time.name, time.wall_s);
 }

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "base/text.h"
+#include "compiler/visibility.h"
+#include "compiler/visibility_lump.h"
 
 namespace temblor::compiler {
 namespace {
@@ -70,6 +72,21 @@ void put_textures(const TextureSet& set, formats::Bsp& io_bsp) {
   }
 }
 
+base::Status add_visibility(const PortalSet& portals, bool fast, base::Jobs& jobs, Progress progress,
+                            CompiledLevel& io_level) {
+  BitMatrix visible;
+  if (fast) {
+    visible = roughly_visible_clusters(portals, jobs);
+  } else {
+    VisibilityState state = begin_visibility(portals);
+    if (continue_visibility(portals, jobs, progress, state) != VisibilityEnd::kFinished)
+      return base::error(base::ErrorCode::kUsage, "stopped while working out visibility");
+    visible = visible_clusters(portals, state);
+  }
+  io_level.mean_visible_share = mean_visible_share(portals, visible);
+  return write_visibility(portals, visible, {}, io_level.bsp);
+}
+
 }  // namespace
 
 base::Result<CompiledLevel> compile_level(const formats::Map& map, std::span<const TextureSource> sources,
@@ -87,6 +104,10 @@ base::Result<CompiledLevel> compile_level(const formats::Map& map, std::span<con
   level.bsp = std::move(made.draft.bsp);
   put_textures(textures, level.bsp);
   const auto progress = [&](std::size_t done, std::size_t total) { return watcher.progress(done, total); };
+  if (options.visibility && !level.leak)
+    TRY_STATUS(stages.run("visibility", [&] {
+      return add_visibility(made.draft.portals, options.fast_visibility, jobs, progress, level);
+    }));
   if (options.lighting) {
     const FaceKeys keys{std::move(made.draft.surface_keys), std::move(made.draft.keys_of_face)};
     TRY(level.light, stages.run("light", [&] {
