@@ -96,6 +96,13 @@ TEST(TextureSet, FramesMayComeFromSeveralSources) {
               ElementsAre("+0slip", "+1slip"));
 }
 
+TEST(TextureSet, FramesWithLongNamesAreCutAlike) {
+  const base::ByteVector wad = make_wad2({{"+0cdefghijklmnop", 1}, {"+1cdefghijklmnop", 2}});
+  const Made made = make({"+0cdefghijklmnop"}, {{"a.wad", wad}});
+  EXPECT_THAT(made.warnings, IsEmpty());
+  EXPECT_THAT(made.names(), ElementsAre("+0cdefghijklmno", "+1cdefghijklmno"));
+}
+
 TEST(TextureSet, AGapInAnAnimationIsAWarning) {
   const base::ByteVector wad = make_wad2({{"+0slip", 1}, {"+2slip", 2}, {"+bslip", 2}});
   EXPECT_THAT(
