@@ -28,7 +28,7 @@ base::Result<base::ByteVector> read_part(const std::filesystem::path& path, std:
   return bytes;
 }
 
-// A WAD3's textures differ by what stands behind their mip levels.
+// `texture_type`: what lumps have that are textures, which WAD2 and WAD3 number differently.
 Inspection inspect_lump(const formats::WadLump& lump, std::uint8_t texture_type, Inspection& io_problems) {
   Inspection entry = {{"name", lump.name}, {"type", lump.type}, {"bytes", lump.data.size()}};
   // gfx.wad gives its characters a texture's type, but they have no header.
