@@ -1,0 +1,47 @@
+// Rows of bits in one block of memory, worked on 64 at a time.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace temblor::compiler {
+
+class BitMatrix {
+ public:
+  using Word = std::uint64_t;
+
+  BitMatrix() = default;
+  // All bits 0.
+  BitMatrix(std::size_t rows, std::size_t columns)
+      : rows_(rows), columns_(columns), words_((columns + 63) / 64), bits_(rows * words_) {}
+
+  std::size_t rows() const { return rows_; }
+  std::size_t columns() const { return columns_; }
+
+  // Bit c of the row is bit c % 64 of word c / 64; bits past the last column are 0.
+  std::span<Word> row(std::size_t index) { return {bits_.data() + index * words_, words_}; }
+  std::span<const Word> row(std::size_t index) const { return {bits_.data() + index * words_, words_}; }
+
+  bool at(std::size_t row_index, std::size_t column) const {
+    return (row(row_index)[column / 64] >> (column % 64) & 1) != 0;
+  }
+  void set(std::size_t row_index, std::size_t column) {
+    row(row_index)[column / 64] |= Word{1} << (column % 64);
+  }
+  bool operator==(const BitMatrix&) const = default;
+
+ private:
+  std::size_t rows_ = 0, columns_ = 0, words_ = 0;
+  std::vector<Word> bits_;
+};
+
+inline std::size_t count_bits(std::span<const BitMatrix::Word> row) {
+  std::size_t count = 0;
+  for (const BitMatrix::Word word : row) count += static_cast<std::size_t>(std::popcount(word));
+  return count;
+}
+
+}  // namespace temblor::compiler

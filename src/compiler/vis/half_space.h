@@ -1,0 +1,17 @@
+// One side of a plane, in double precision.
+#pragma once
+
+#include "math/vec.h"
+
+namespace temblor::compiler::vis {
+
+struct HalfSpace {
+  math::Vec3d normal{0.0};  // of length 1, pointing into it
+  double distance = 0;
+
+  // Of a point from the plane, in units; negative outside.
+  double above(const math::Vec3d& point) const { return glm::dot(normal, point) - distance; }
+  HalfSpace flipped() const { return {-normal, -distance}; }
+};
+
+}  // namespace temblor::compiler::vis
