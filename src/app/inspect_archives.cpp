@@ -28,10 +28,11 @@ base::Result<base::ByteVector> read_part(const std::filesystem::path& path, std:
   return bytes;
 }
 
-Inspection inspect_lump(const formats::WadLump& lump, Inspection& io_problems) {
+// `texture_type`: what lumps have that are textures, which WAD2 and WAD3 number differently.
+Inspection inspect_lump(const formats::WadLump& lump, std::uint8_t texture_type, Inspection& io_problems) {
   Inspection entry = {{"name", lump.name}, {"type", lump.type}, {"bytes", lump.data.size()}};
   // gfx.wad gives its characters a texture's type, but they have no header.
-  if (lump.type != formats::kWadTexture || base::equal_ignoring_case(lump.name, "conchars")) return entry;
+  if (lump.type != texture_type || base::equal_ignoring_case(lump.name, "conchars")) return entry;
   const base::Result<formats::WadTexture> texture = formats::read_wad_texture(lump.data);
   if (texture.ok()) {
     entry["width"] = texture->width;
@@ -75,7 +76,8 @@ base::Result<Inspection> inspect_wad(base::Bytes bytes) {
   TRY(const std::vector<formats::WadLump> lumps, formats::read_wad(bytes));
   Inspection entries = Inspection::array();
   Inspection problems = Inspection::array();
-  for (const formats::WadLump& lump : lumps) entries.push_back(inspect_lump(lump, problems));
+  const std::uint8_t texture_type = formats::is_wad3(bytes) ? formats::kWad3Texture : formats::kWadTexture;
+  for (const formats::WadLump& lump : lumps) entries.push_back(inspect_lump(lump, texture_type, problems));
   return Inspection{{"count", lumps.size()}, {"lumps", entries}, {"problems", problems}};
 }
 

@@ -29,12 +29,13 @@ enum class Format {
   kColormap,
   kMdl,
   kSpr,
-  kDem
+  kDem,
+  kWad3
 };
 
-constexpr std::array<const char*, 12> kFormatNames = {
-    "level",   "coloured light", "entity text", "PAK",   "PK3",    "WAD2",
-    "picture", "palette",        "colormap",    "model", "sprite", "recording"};
+constexpr std::array<const char*, 13> kFormatNames = {
+    "level",   "coloured light", "entity text", "PAK",    "PK3",       "WAD2", "picture",
+    "palette", "colormap",       "model",       "sprite", "recording", "WAD3"};
 
 // The formats whose files start with something of their own.
 std::optional<Format> format_of_start(base::Bytes bytes) {
@@ -42,7 +43,7 @@ std::optional<Format> format_of_start(base::Bytes bytes) {
     std::string_view bytes;
     Format format;
   };
-  constexpr std::array<Start, 11> kStarts = {{{{"\x1d\0\0\0", 4}, Format::kBsp},
+  constexpr std::array<Start, 12> kStarts = {{{{"\x1d\0\0\0", 4}, Format::kBsp},
                                               {"BSP2", Format::kBsp},
                                               {"2PSB", Format::kBsp},
                                               {"QLIT", Format::kLit},
@@ -50,6 +51,7 @@ std::optional<Format> format_of_start(base::Bytes bytes) {
                                               {"PK\x03\x04", Format::kPk3},
                                               {"PK\x05\x06", Format::kPk3},  // an empty one
                                               {"WAD2", Format::kWad},
+                                              {"WAD3", Format::kWad3},
                                               {"IDPO", Format::kMdl},
                                               {"IDSP", Format::kSpr},
                                               {"{", Format::kEntities}}};
@@ -97,6 +99,7 @@ base::Result<Inspection> inspect_bytes(Format format, base::ByteVector bytes) {
     case Format::kPk3:
       return inspect_pk3(std::move(bytes));
     case Format::kWad:
+    case Format::kWad3:
       return inspect_wad(bytes);
     case Format::kPicture:
       return inspect_picture(bytes);

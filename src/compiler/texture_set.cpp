@@ -87,22 +87,24 @@ class TextureSetMaker {
 
   void want_frames(const std::string& key) {
     for (const std::string_view marks : kFrameMarks) {
-      const auto is_there = [&](char mark) {
-        const std::string frame = frame_key(key, mark);
-        return sources_.has(frame) || set_.index.contains(frame);
-      };
-      const std::size_t last =
-          marks.size() -
-          static_cast<std::size_t>(std::find_if(marks.rbegin(), marks.rend(), is_there) - marks.rbegin());
-      for (const char mark : marks.substr(0, last)) {
-        if (is_there(mark))
-          want(frame_key(key, mark));
-        else
-          warn("animation has gaps", "{} is in none of the {} texture sources, but later frames are",
-               quotable(frame_key(key, mark)), source_count_);
-      }
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < marks.size(); ++i)
+        if (const std::string frame = frame_key(key, marks[i]); sources_.has(frame) || is_wanted(frame))
+          count = i + 1;
+      for (const char mark : marks.substr(0, count)) want_frame(frame_key(key, mark));
     }
   }
+
+  void want_frame(const std::string& frame) {
+    if (is_wanted(frame)) return;
+    if (sources_.has(frame))
+      want(frame);
+    else
+      warn("animation has gaps", "{} is in none of the {} texture sources, but later frames are",
+           quotable(frame), source_count_);
+  }
+
+  bool is_wanted(const std::string& key) const { return set_.index.contains(key); }
 
   formats::BspMiptex make_miptex(const Wanted& wanted) {
     auto miptex = sources_.take(wanted.key, warnings_);

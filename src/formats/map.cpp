@@ -97,11 +97,12 @@ base::Status MapReader::read_row(char open, std::span<double> out_numbers, char 
 }
 
 base::Status MapReader::read_point(math::Vec3d& out_point) {
+  const std::uint32_t line = scanner_.line();
   std::array<double, 3> numbers{};
   TRY_STATUS(read_row('(', numbers, ')'));
   for (const double number : numbers)
     if (std::abs(number) > kMapMaxCoordinate)
-      return malformed("the coordinate {} lies beyond +-{}", number, kMapMaxCoordinate);
+      return malformed_on(line, "the coordinate {} lies beyond +-{}", number, kMapMaxCoordinate);
   out_point = {numbers[0], numbers[1], numbers[2]};
   return base::Ok{};
 }
@@ -204,8 +205,6 @@ base::Status MapReader::read_brush(std::vector<MapBrush>& io_brushes) {
   brush.line = scanner_.line();
   brush_ = brushes_begun_++;
   TRY_STATUS(expect('{'));
-  constexpr std::size_t kUsualSides = 6;
-  brush.sides.reserve(kUsualSides);
   bool is_patch = false;
   while (!scanner_.accept('}')) {
     const char next = scanner_.peek();
@@ -264,7 +263,8 @@ base::Status MapReader::read_pair(Entity& io_fields) {
 
 base::Status MapReader::read_entity() {
   const std::uint32_t line = scanner_.line();
-  if (!scanner_.accept('{')) return malformed("expected an entity's opening brace, found {}", next_token());
+  if (!scanner_.accept('{'))
+    return malformed_on(line, "expected an entity's opening brace, found {}", next_token());
   MapEntity& entity = map_.entities.emplace_back();
   entity.line = line;
   in_entity_ = true;

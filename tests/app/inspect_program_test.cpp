@@ -12,6 +12,7 @@
 #include "formats/picture.h"
 #include "formats/pk3.h"
 #include "formats/wad.h"
+#include "formats/wad3_texture.h"
 #include "support/game_data.h"
 #include "support/small_game.h"
 #include "support/small_models.h"
@@ -99,6 +100,18 @@ TEST_F(InspectProgram, Archives) {
   EXPECT_EQ(wad.at("count"), 2);
   EXPECT_EQ(wad.at("lumps").at(0).at("bytes"), lump.size());
   EXPECT_THAT(wad.at("problems").dump(), HasSubstr("BAD"));
+
+  formats::Wad3Texture texture{{"{crate", 16, 16, {}}, {}};
+  for (unsigned k = 0; k < 4; ++k) texture.texture.mips[k].resize(std::size_t{16u >> k} * (16u >> k));
+  const base::ByteVector texture_bytes = formats::write_wad3_texture(texture).value();
+  base::ByteVector wad3_bytes =
+      formats::write_wad(std::vector<formats::WadLump>{{"{crate", formats::kWad3Texture, texture_bytes}})
+          .value();
+  wad3_bytes[3] = std::byte{'3'};
+  const json wad3 = inspect("y.wad", wad3_bytes);
+  EXPECT_EQ(wad3.at("format"), "WAD3");
+  EXPECT_EQ(wad3.at("lumps").at(0).at("width"), 16);
+  EXPECT_TRUE(wad3.at("problems").empty());
 }
 
 TEST_F(InspectProgram, PicturesPalettesAndColormaps) {

@@ -96,6 +96,13 @@ TEST(TextureSet, FramesMayComeFromSeveralSources) {
               ElementsAre("+0slip", "+1slip"));
 }
 
+TEST(TextureSet, FramesWithLongNamesAreCutAlike) {
+  const base::ByteVector wad = make_wad2({{"+0cdefghijklmnop", 1}, {"+1cdefghijklmnop", 2}});
+  const Made made = make({"+0cdefghijklmnop"}, {{"a.wad", wad}});
+  EXPECT_THAT(made.warnings, IsEmpty());
+  EXPECT_THAT(made.names(), ElementsAre("+0cdefghijklmno", "+1cdefghijklmno"));
+}
+
 TEST(TextureSet, AGapInAnAnimationIsAWarning) {
   const base::ByteVector wad = make_wad2({{"+0slip", 1}, {"+2slip", 2}, {"+bslip", 2}});
   EXPECT_THAT(
@@ -174,13 +181,37 @@ TEST(TextureSet, ALevelIsASource) {
   EXPECT_EQ(made.set.miptexes, std::vector{level.miptexes[0]});
 }
 
+std::vector<base::ByteVector> read_stock_wads(const std::filesystem::path& data) {
+  std::vector<base::ByteVector> files;
+  for (const auto& entry : std::filesystem::directory_iterator(data / "wads"))
+    files.push_back(test::read_file(entry.path()));
+  return files;
+}
+
+TEST(TextureSet, StockMapsFindAllThatIsDrawn) {
+  DATA_FOLDER_OR_SKIP(data);
+  const std::vector<base::ByteVector> files = read_stock_wads(data);
+  std::vector<TextureSource> sources;
+  for (const base::ByteVector& file : files) sources.push_back({"stock.wad", file});
+  for (const auto& entry : std::filesystem::directory_iterator(data / "mapsrc")) {
+    SCOPED_TRACE(entry.path().filename());
+    const auto map = formats::read_map(base::as_text(test::read_file(entry.path()))).value();
+    std::vector<std::string_view> names;
+    for (const formats::MapEntity& entity : map.entities)
+      for (const formats::MapBrush& brush : entity.brushes)
+        for (const formats::MapSide& side : brush.sides) names.push_back(side.texture);
+    const Made made = make(names, sources);
+    EXPECT_GT(made.set.miptexes.size(), 1u);
+    for (const std::string_view name : names) ASSERT_TRUE(made.set.find(name));
+    for (const Warning& warning : made.warnings) ADD_FAILURE() << warning.kind << ": " << warning.what;
+  }
+}
+
 // The finished levels were made from an earlier edition of the WADs: names and sizes are the same, and most
 // texels.
 TEST(TextureSet, StockWadsHaveTheTexturesOfAFinishedLevel) {
   DATA_FOLDER_OR_SKIP(data);
-  std::vector<base::ByteVector> files;
-  for (const auto& entry : std::filesystem::directory_iterator(data / "wads"))
-    files.push_back(test::read_file(entry.path()));
+  const std::vector<base::ByteVector> files = read_stock_wads(data);
   std::vector<TextureSource> sources;
   for (const base::ByteVector& file : files) sources.push_back({"stock.wad", file});
   const auto bsp = formats::read_bsp(test::read_file(data / "id1" / "maps" / "lq_e1m2.bsp")).value();

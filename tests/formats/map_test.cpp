@@ -163,7 +163,7 @@ TEST(Map, QuotesInsideValues) {
 }
 
 TEST(Map, ErrorsNameEntityBrushAndLine) {
-  EXPECT_EQ(error_of("\n}"), "line 2: expected an entity's opening brace, found \"}\"");
+  EXPECT_EQ(error_of("\n}\n\n{ }"), "line 2: expected an entity's opening brace, found \"}\"");
   EXPECT_EQ(error_of("{ }\nVersion 2\n{ }"), "line 2: expected an entity's opening brace, found \"Version\"");
   EXPECT_EQ(error_of("{\n}\n\n{\n\"a\" \"b\"\n"),
             "entity 1, line 4: the entity that opens here is never closed");
@@ -198,7 +198,7 @@ TEST(Map, ErrorsOfASide) {
             place + "expected a side or the brush's closing brace, found \"4\"");
   EXPECT_EQ(error_of_side("w 0 0 0 " + std::string(500, 'x')),
             place + "expected a finite number, found \"" + std::string(40, 'x') + "...\"");
-  EXPECT_EQ(error_of("{ { ( 0 0 1e8 ) ( 0 0 0 ) ( 0 0 0 ) w 0 0 0 1 1 } }"),
+  EXPECT_EQ(error_of("{ { ( 0 0 1e8 )\n ( 0 0 0 ) ( 0 0 0 ) w 0 0 0 1 1 } }"),
             "entity 0, brush 0, line 1: the coordinate 100000000 lies beyond +-16777216");
   EXPECT_EQ(error_of("{ { ( 0 0"),
             "entity 0, brush 0, line 1: expected a finite number, found the end of the text");

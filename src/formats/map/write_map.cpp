@@ -14,10 +14,14 @@ void write_vector(Out out, const math::Vec3d& vector) {
   fmt::format_to(out, "{} {} {}", vector.x, vector.y, vector.z);
 }
 
-// A name that would be read as something else when it stands bare is quoted.
-void write_texture(Out out, std::string_view name) {
+// A name that would be read as something else when it stands bare is quoted. Behind a matrix a parenthesis
+// is the name's own.
+void write_texture(Out out, const MapSide& side) {
+  const std::string_view name = side.texture;
+  const bool opens_matrix =
+      name.starts_with('(') && side.texturing.alignment != MapAlignment::kBrushPrimitive;
   const bool is_bare =
-      !name.empty() && !name.starts_with('(') && !name.starts_with(';') && !name.starts_with("//") &&
+      !name.empty() && !opens_matrix && !name.starts_with(';') && !name.starts_with("//") &&
       std::ranges::none_of(name, [](char c) { return static_cast<unsigned char>(c) <= ' '; });
   const std::string_view quote = is_bare ? "" : "\"";
   fmt::format_to(out, " {}{}{}", quote, name, quote);
@@ -29,15 +33,15 @@ void write_texturing(Out out, const MapSide& side) {
     case MapAlignment::kBrushPrimitive: {
       const auto& [s, t] = texturing.matrix;
       fmt::format_to(out, " ( ( {} {} {} ) ( {} {} {} ) )", s[0], s[1], s[2], t[0], t[1], t[2]);
-      write_texture(out, side.texture);
+      write_texture(out, side);
       return;
     }
     case MapAlignment::kStandard:
-      write_texture(out, side.texture);
+      write_texture(out, side);
       fmt::format_to(out, " {} {}", texturing.offset.x, texturing.offset.y);
       break;
     case MapAlignment::kValve:
-      write_texture(out, side.texture);
+      write_texture(out, side);
       fmt::format_to(out, " [ ");
       write_vector(out, texturing.s_axis);
       fmt::format_to(out, " {} ] [ ", texturing.offset.x);
