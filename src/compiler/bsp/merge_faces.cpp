@@ -1,7 +1,10 @@
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <tuple>
+#include <unordered_map>
 
 #include "compiler/bsp/faces.h"
 
@@ -45,21 +48,68 @@ auto group_of(const TreeFace& face) {
   return std::tuple(face.node, face.plane, face.surface);
 }
 
-// Joins what can be joined among faces [begin, end); emptied ones have no winding left.
-void merge_group(std::span<TreeFace> faces, const math::Vec3d& normal) {
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (faces[i].winding.empty()) continue;
-    for (std::size_t j = 0; j < faces.size(); ++j) {
-      if (j == i || faces[j].winding.empty()) continue;
-      std::optional<Winding> joined = join(faces[i].winding, faces[j].winding, normal);
-      if (!joined) continue;
-      faces[i].winding = std::move(*joined);
-      faces[i].leafs.insert(faces[i].leafs.end(), faces[j].leafs.begin(), faces[j].leafs.end());
-      faces[j].winding.clear();
-      j = static_cast<std::size_t>(-1);  // what did not fit before may fit now
-    }
+// A side from corner to corner, roughly: what is the same side has the same key, but for rare bad luck in
+// rounding, by which two faces stay apart.
+struct SideKey {
+  std::array<std::int64_t, 6> corners;
+  bool operator==(const SideKey&) const = default;
+};
+struct SideKeyHash {
+  std::size_t operator()(const SideKey& key) const {
+    std::uint64_t hash = 0;
+    for (const std::int64_t part : key.corners)
+      hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15u;
+    return static_cast<std::size_t>(hash ^ (hash >> 32));
   }
+};
+SideKey key_of(const math::Vec3d& from, const math::Vec3d& to) {
+  constexpr double kStepsAUnit = 8;
+  const auto step = [](double v) { return std::llround(v * kStepsAUnit); };
+  return {{step(from.x), step(from.y), step(from.z), step(to.x), step(to.y), step(to.z)}};
 }
+
+// Joins what can be joined; emptied faces have no winding left.
+class GroupMerger {
+ public:
+  GroupMerger(std::span<TreeFace> faces, const math::Vec3d& normal) : faces_(faces), normal_(normal) {
+    for (std::size_t i = 0; i < faces.size(); ++i) add_sides(i);
+  }
+
+  void merge() {
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      while (join_with_a_neighbour(i)) add_sides(i);
+  }
+
+ private:
+  void add_sides(std::size_t face) {
+    const Winding& winding = faces_[face].winding;
+    for (std::size_t k = 0; k < winding.size(); ++k)
+      by_side_.emplace(key_of(winding[k], winding[(k + 1) % winding.size()]), face);
+  }
+
+  bool join_with_a_neighbour(std::size_t i) {
+    const Winding& winding = faces_[i].winding;
+    for (std::size_t k = 0; k < winding.size(); ++k) {
+      const auto [begin, end] = by_side_.equal_range(key_of(winding[(k + 1) % winding.size()], winding[k]));
+      for (auto it = begin; it != end; ++it) {
+        const std::size_t j = it->second;
+        if (j == i || faces_[j].winding.empty()) continue;
+        std::optional<Winding> joined = join(winding, faces_[j].winding, normal_);
+        if (!joined) continue;
+        faces_[i].winding = std::move(*joined);
+        faces_[i].leafs.insert(faces_[i].leafs.end(), faces_[j].leafs.begin(), faces_[j].leafs.end());
+        faces_[j].winding.clear();
+        return true;
+      }
+    }
+    return false;
+  }
+
+  std::span<TreeFace> faces_;
+  const math::Vec3d normal_;
+  // Sides that a face once had stay: join() looks again.
+  std::unordered_multimap<SideKey, std::size_t, SideKeyHash> by_side_;
+};
 
 }  // namespace
 
@@ -69,7 +119,8 @@ void merge_faces(std::vector<TreeFace>& io_faces, const PlaneSet& planes) {
   for (std::size_t begin = 0, end; begin < io_faces.size(); begin = end) {
     for (end = begin + 1; end < io_faces.size() && group_of(io_faces[end]) == group_of(io_faces[begin]);)
       ++end;
-    merge_group(std::span(io_faces).subspan(begin, end - begin), planes[io_faces[begin].plane].normal);
+    GroupMerger(std::span(io_faces).subspan(begin, end - begin), planes[io_faces[begin].plane].normal)
+        .merge();
   }
   std::erase_if(io_faces, [](const TreeFace& face) { return face.winding.empty(); });
   for (TreeFace& face : io_faces) {
