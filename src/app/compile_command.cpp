@@ -16,7 +16,9 @@
 #include "app/written_file.h"
 #include "artgen/palette.h"
 #include "assets/assets.h"
+#include "base/text.h"
 #include "compiler/compile_level.h"
+#include "compiler/make_wad.h"
 #include "compiler/prefabs.h"
 #include "compiler/wad_paths.h"
 #include "formats/lit.h"
@@ -57,9 +59,32 @@ struct SourceFiles {
   }
 };
 
+// The PNG files of a folder, in order of their names, as a WAD.
+base::Result<base::ByteVector> wad_of_pictures(const fs::path& folder, const formats::Palette& palette) {
+  std::error_code failure;
+  std::vector<fs::path> paths;
+  for (fs::directory_iterator it(folder, failure), end; !failure && it != end; it.increment(failure))
+    if (base::to_lower(it->path().extension().string()) == ".png") paths.push_back(it->path());
+  if (failure) return base::Error{ErrorCode::kNotFound, "--textures: no such folder", folder.string()};
+  std::sort(paths.begin(), paths.end());
+  std::vector<base::ByteVector> bytes;
+  for (const fs::path& path : paths) {
+    TRY(base::ByteVector png, vfs::read_disk_file(path));
+    bytes.push_back(std::move(png));
+  }
+  std::vector<compiler::PngFile> files;
+  for (std::size_t i = 0; i < paths.size(); ++i) files.push_back({paths[i].string(), bytes[i]});
+  return compiler::make_wad(files, palette);
+}
+
 base::Result<SourceFiles> find_textures(const CompileCommandOptions& options, const formats::Map& map,
-                                        compiler::Warnings& io_warnings) {
+                                        const formats::Palette& palette, compiler::Warnings& io_warnings) {
   SourceFiles files;
+  if (!options.textures.empty()) {
+    TRY(base::ByteVector wad, wad_of_pictures(options.textures, palette));
+    files.bytes.push_back(std::make_unique<base::ByteVector>(std::move(wad)));
+    files.sources.push_back({options.textures, *files.bytes.back()});
+  }
   std::vector<fs::path> folders;
   for (const std::string& wad : options.wads) {
     std::error_code ignored;
@@ -163,6 +188,10 @@ CLI::App* add_compile_command(CLI::App& program, CompileCommandOptions& io_optio
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->take_all();
+  command
+      ->add_option("--textures", io_options.textures,
+                   "A folder of PNG files: textures that come before all others")
+      ->type_name("DIR");
   command->add_flag("--fast", io_options.fast, "Rough visibility, light without dirt and bounces");
   command->add_flag("--no-vis", io_options.no_vis, "Leaves visibility out: everything is drawn");
   command->add_flag("--no-light", io_options.no_light, "Leaves light out: everything is bright");
@@ -189,8 +218,8 @@ base::Status run_compile(const CompileCommandOptions& options, const GameFolders
       compiler::expand_prefabs(
           std::move(read), options.map, [](const fs::path& path) { return read_text(path); }, warnings)
           .with_file(options.map));
-  TRY(const SourceFiles textures, find_textures(options, map, warnings));
   TRY(const formats::Palette palette, find_palette(folders));
+  TRY(const SourceFiles textures, find_textures(options, map, palette, warnings));
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   base::Jobs jobs(options.threads.value_or(0) == 0 ? cores : *options.threads);
 

@@ -17,6 +17,7 @@ namespace temblor::app {
 struct CompileCommandOptions {
   std::string map;                // a .map file
   std::string out;                // empty: beside the map, .bsp
+  std::string textures;           // a folder of PNG files, which come before all other textures
   std::vector<std::string> wads;  // WADs or levels, looked through before those that the map names
   bool fast = false;
   bool no_vis = false, no_light = false;

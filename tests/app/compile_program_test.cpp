@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
+#include "artgen/palette.h"
 #include "formats/bsp.h"
+#include "formats/png.h"
 #include "support/game_data.h"
 #include "support/room_map.h"
 #include "support/temporary_folder.h"
@@ -109,6 +111,27 @@ TEST_F(CompileProgram, WhatIsWrongIsOneLine) {
     EXPECT_TRUE(is_one_error_line(last)) << run.err;
     for (const std::string& part : c.parts) EXPECT_THAT(last, HasSubstr(part));
   }
+}
+
+TEST_F(CompileProgram, PicturesOfAFolderAreTextures) {
+  folder_.write("room.map", lit_room());
+  const formats::Palette palette = artgen::make_palette();
+  std::filesystem::create_directory(folder_.path() / "art");
+  const std::vector<std::uint8_t> grey(32 * 16, 5);
+  const base::ByteVector png = formats::write_png(grey, 32, 16, palette).value();
+  folder_.write("art/wall.png", std::string(base::as_text(png)));
+  const ProgramRun run = run_program(folder_.path(), {"compile", "room.map", "--textures", "art"});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_THAT(run.err, IsEmpty());
+  const formats::Bsp bsp = read_level("room.bsp");
+  ASSERT_EQ(bsp.miptexes.size(), 1u);
+  EXPECT_EQ(bsp.miptexes[0].name, "wall");
+  EXPECT_EQ(bsp.miptexes[0].width, 32u);
+  EXPECT_EQ(bsp.miptexes[0].mips[0], grey);
+  const ProgramRun without = run_program(folder_.path(), {"compile", "room.map", "--textures", "nowhere"});
+  EXPECT_EQ(without.exit_status, 1);
+  EXPECT_TRUE(is_one_error_line(without.err)) << without.err;
+  EXPECT_THAT(without.err, HasSubstr("nowhere"));
 }
 
 // A level that is there stays until the new one is whole.
