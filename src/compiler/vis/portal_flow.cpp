@@ -9,6 +9,10 @@ namespace {
 
 using Word = BitMatrix::Word;
 
+// Portals cut in one search: few portals of ordinary levels take as many as the first, none the second.
+constexpr std::size_t kCutsUntilBound = 4000;
+constexpr std::size_t kCutsUntilEnd = 30'000;
+
 bool has_bit(std::span<const Word> row, std::uint32_t bit) {
   return (row[bit / 64] >> (bit % 64) & 1) != 0;
 }
@@ -81,6 +85,7 @@ bool PortalFlow::extend(std::size_t depth, std::uint32_t portal, const FlowBound
   if (!has_bit(from.might, graph_.portals[portal].to)) return false;
   to.might.resize(from.might.size());
   if (!narrow(from.might, bounds.row(portal), io_seen, to.might)) return false;
+  ++cuts_;
   to.portal = portal;
   to.next = 0;
   if (!cut_to_lines(from, to, depth == 0)) return false;
@@ -91,6 +96,18 @@ bool PortalFlow::extend(std::size_t depth, std::uint32_t portal, const FlowBound
   if (!drop_hidden(to, io_seen)) return false;
   on_chain_[portal / 2] = 1;
   return true;
+}
+
+// Takes what Reach does not reach out of the search that has got to `depth`.
+void PortalFlow::tighten(std::uint32_t portal, std::size_t depth, const FlowBounds& bounds,
+                         std::span<Word> io_seen) {
+  bound_.resize(io_seen.size());
+  reach_.run(portal, bounds, chain_[0].might, bound_);
+  for (std::size_t i = 0; i < bound_.size(); ++i) {
+    io_seen[i] &= bound_[i];
+    for (std::size_t link_depth = 0; link_depth <= depth; ++link_depth)
+      chain_[link_depth].might[i] &= bound_[i];
+  }
 }
 
 bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, const std::atomic<bool>& stop,
@@ -106,7 +123,16 @@ bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, const std::
   io_seen[beyond / 64] |= Word{1} << (beyond % 64);
   std::ranges::fill(on_chain_, std::uint8_t{0});
   on_chain_[portal / 2] = 1;
+  cuts_ = 0;
+  bool is_bounded = false;
   for (std::size_t depth = 0;;) {
+    if (cuts_ >= kCutsUntilBound && !is_bounded) {
+      tighten(portal, depth, bounds, io_seen);
+      is_bounded = true;
+    } else if (cuts_ >= kCutsUntilEnd) {
+      std::ranges::copy(bound_, io_seen.begin());
+      return true;
+    }
     Link& last = chain_[depth];
     const auto ways = graph_.out_of(graph_.portals[last.portal].to);
     if (last.next == ways.size()) {
