@@ -21,3 +21,10 @@ if(TEMBLOR_SCALAR_ONLY)
   # Highway's one-lane target and no other: kernel files then call their plain twins.
   target_compile_definitions(temblor_flags INTERFACE HWY_COMPILE_ONLY_SCALAR)
 endif()
+
+# Debian 12 has Embree 3, later systems 4; src/compiler/light/embree.h knows both.
+find_package(embree 4 QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3 REQUIRED)
+endif()
+set(TEMBLOR_EMBREE_TARGET embree)

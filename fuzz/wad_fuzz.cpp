@@ -1,5 +1,5 @@
 // Any bytes: an error, or lumps that read back equal when they are written again; every lump is also tried as
-// a texture, which must do the same.
+// a texture, which must do the same, also with the palette of a WAD3's.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "formats/wad.h"
+#include "formats/wad3_texture.h"
 #include "formats/wad_texture.h"
 
 using namespace temblor;
@@ -23,6 +24,16 @@ void check_texture(base::Bytes lump) {
   CHECK(*back == *texture);
 }
 
+void check_wad3_texture(base::Bytes lump) {
+  const auto texture = formats::read_wad3_texture(lump);
+  if (!texture.ok()) return;
+  const auto written = formats::write_wad3_texture(*texture);
+  CHECK(written.ok(), "{}", written.error().message());
+  const auto back = formats::read_wad3_texture(*written);
+  CHECK(back.ok(), "{}", back.error().message());
+  CHECK(back->texture == texture->texture);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -35,6 +46,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   CHECK(std::ranges::equal(*back, *lumps, [](const formats::WadLump& a, const formats::WadLump& b) {
     return a.name == b.name && a.type == b.type && std::ranges::equal(a.data, b.data);
   }));
-  for (const formats::WadLump& lump : *lumps) check_texture(lump.data);
+  for (const formats::WadLump& lump : *lumps) {
+    check_texture(lump.data);
+    check_wad3_texture(lump.data);
+  }
   return 0;
 }

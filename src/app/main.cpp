@@ -7,6 +7,7 @@
 #include "app/bench_command.h"
 #include "app/client_variables.h"
 #include "app/command_line.h"
+#include "app/compile_command.h"
 #include "app/diagnostics.h"
 #include "app/inspect_command.h"
 #include "app/render_command.h"
@@ -31,9 +32,11 @@ struct Commands {
   RenderOptions render;
   BenchOptions bench;
   InspectOptions inspect;
+  CompileCommandOptions compile;
   CLI::App* render_command = nullptr;
   CLI::App* bench_command = nullptr;
   CLI::App* inspect_command = nullptr;
+  CLI::App* compile_command = nullptr;
   CLI::App* settings_command = nullptr;
 };
 
@@ -46,6 +49,7 @@ void describe_command_line(CLI::App& program, Commands& io_commands) {
   io_commands.render_command = add_render_command(program, io_commands.render);
   io_commands.bench_command = add_bench_command(program, io_commands.bench);
   io_commands.inspect_command = add_inspect_command(program, io_commands.inspect);
+  io_commands.compile_command = add_compile_command(program, io_commands.compile);
   io_commands.settings_command = add_settings_command(program);
 }
 
@@ -65,6 +69,7 @@ base::Status run(const Commands& commands) {
   }
   TRY_STATUS(apply_options(commands.common, std::nullopt, variables));
   if (commands.inspect_command->parsed()) return run_inspect(commands.inspect);
+  if (commands.compile_command->parsed()) return run_compile(commands.compile, commands.common.folders);
   run_settings(variables);
   return base::Ok{};
 }

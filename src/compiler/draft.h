@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
+#include "base/function_ref.h"
 #include "compiler/portals.h"
 #include "formats/bsp.h"
 
@@ -26,6 +28,9 @@ struct SurfaceKeys {
   float light_alpha = 1;       // _light_alpha: how much of the light a face lets not through
   bool operator==(const SurfaceKeys&) const = default;
 };
+
+// Width and height of a texture in texels; some texture alignments are measured in whole textures.
+using TextureSize = base::FunctionRef<math::Vec2d(std::string_view name)>;
 
 struct Draft {
   formats::Bsp bsp;  // no visibility; no light: styles 255, offsets -1

@@ -63,13 +63,15 @@ struct Map {
   bool operator==(const Map&) const = default;
 };
 
-// Comments (// and ;) run to the end of the line; lines end as they like. Every number is finite and every
-// coordinate within +-kMapMaxCoordinate. Patches (patchDef2, patchDef3) are read over. Errors name entity,
-// brush and line.
+// Comments (// and ;) run to the end of the line; lines end as they like; the text ends at its first zero
+// byte. Every number is finite and every coordinate within +-kMapMaxCoordinate. Patches (patchDef2,
+// patchDef3) are read over. A \" within an entity's value becomes ', because no level's entity text can hold
+// a quote. Errors name entity and brush, counted from 0 as in the comments that editors write, and line.
 constexpr double kMapMaxCoordinate = 1 << 24;
 base::Result<Map> read_map(std::string_view text);
 
-// Reads back equal, but for lines.
+// Reads back equal, but for lines, where keys, values and names hold no quote, line break or zero byte, and
+// every number is finite.
 std::string write_map(const Map& map);
 
 }  // namespace temblor::formats

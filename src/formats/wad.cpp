@@ -8,6 +8,7 @@ namespace temblor::formats {
 namespace {
 
 constexpr std::string_view kMagic = "WAD2";
+constexpr std::string_view kMagic3 = "WAD3";
 constexpr std::size_t kHeaderBytes = 12;
 constexpr std::size_t kRecordBytes = 32;
 
@@ -40,7 +41,8 @@ base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes) {
   const std::int32_t table_offset = reader.i32();
   if (!reader.ok())
     return base::malformed("a WAD's header has {} bytes, this has {}", kHeaderBytes, bytes.size());
-  if (magic != kMagic) return base::malformed("not a WAD2: it does not start with \"WAD2\"");
+  if (magic != kMagic && magic != kMagic3)
+    return base::malformed("not a WAD: it starts neither with \"WAD2\" nor with \"WAD3\"");
   if (count < 0 || table_offset < 0 ||
       std::uint64_t(table_offset) + std::uint64_t(count) * kRecordBytes > bytes.size())
     return base::malformed("WAD table: {} lumps at offset {} lie outside the file ({} bytes)", count,
@@ -53,6 +55,10 @@ base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes) {
     lumps.push_back(std::move(lump));
   }
   return lumps;
+}
+
+bool is_wad3(base::Bytes bytes) {
+  return base::as_text(bytes).starts_with(kMagic3);
 }
 
 base::Result<base::ByteVector> write_wad(std::span<const WadLump> lumps) {

@@ -1,4 +1,4 @@
-// WAD2 archives: named lumps with a type (gfx.wad, texture WADs).
+// WAD2 and WAD3 archives: named lumps with a type (gfx.wad, texture WADs; WAD3 is Half-Life's).
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,8 @@ constexpr std::size_t kWadNameChars = 16;
 constexpr std::uint8_t kWadPalette = 64;
 constexpr std::uint8_t kWadPicture = 66;  // picture.h
 constexpr std::uint8_t kWadSound = 67;
-constexpr std::uint8_t kWadTexture = 68;  // wad_texture.h; in gfx.wad also the header-less conchars
+constexpr std::uint8_t kWad3Texture = 67;  // in a WAD3: wad3_texture.h
+constexpr std::uint8_t kWadTexture = 68;   // wad_texture.h; in gfx.wad also the header-less conchars
 
 // `data` is not owned: it lies in the bytes that the WAD was read from, or that it is written from.
 struct WadLump {
@@ -32,7 +33,10 @@ struct WadLump {
 // the time wrote one).
 base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes);
 
-// kTooLarge for a name over 16 characters or for more than 2^31 - 1 bytes.
+// By its first four bytes.
+bool is_wad3(base::Bytes bytes);
+
+// A WAD2. kTooLarge for a name over 16 characters or for more than 2^31 - 1 bytes.
 base::Result<base::ByteVector> write_wad(std::span<const WadLump> lumps);
 
 // The first lump of that name, without regard to case; null when there is none.

@@ -49,6 +49,15 @@ TEST(Wad, WritesTheSameBytes) {
   EXPECT_EQ(*bytes, hand_made_wad());
 }
 
+TEST(Wad, ReadsWad3Alike) {
+  const base::ByteVector bytes = test::with_number(hand_made_wad(), 0, std::uint32_t{0x33444157});
+  EXPECT_TRUE(is_wad3(bytes));
+  EXPECT_FALSE(is_wad3(hand_made_wad()));
+  const auto lumps = read_wad(bytes);
+  ASSERT_TRUE(lumps.ok()) << lumps.error().message();
+  EXPECT_EQ(base::as_text(lumps->at(0).data), "hello");
+}
+
 TEST(Wad, FindsTheFirstOfANameWithoutRegardToCase) {
   const std::vector<WadLump> lumps{{"A", 1, {}}, {"b", 2, {}}, {"B", 3, {}}};
   EXPECT_EQ(find_lump(lumps, "B"), &lumps[1]);
@@ -111,7 +120,7 @@ void expect_refused(std::size_t offset, T value, const char* message) {
 }
 
 TEST(Wad, HostileNumbersAreRefused) {
-  expect_refused(0, std::uint32_t{0x33444157}, "WAD2");  // "WAD3"
+  expect_refused(0, std::uint32_t{0x34444157}, "WAD2");  // "WAD4"
   expect_refused(4, std::int32_t{-1}, "-1 lumps");
   expect_refused(4, std::int32_t{2}, "2 lumps");
   expect_refused(4, std::int32_t{0x7fffffff}, "outside the file");

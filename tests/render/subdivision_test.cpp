@@ -117,7 +117,7 @@ constexpr int kMostPx = 1;
 constexpr double kMostBrightness = 16;
 
 TEST_F(Subdivision, DiffersFromAffineByLittleWhereItIsChosen) {
-  for (const double side_px : {0.3, 0.5, 0.7, 1.0, 1.5, render::kSubdivisionSidePx}) {
+  for (const double side_px : {0.3, 0.5, 0.7, 1.0, render::kSubdivisionSidePx, 1.5, 2.0}) {
     const Difference difference = difference_at(side_px, render::AliasRaster::kSubdivision);
     EXPECT_LE(difference.farthest_px, kMostPx) << side_px;
     EXPECT_LE(difference.brightness, kMostBrightness) << side_px;

@@ -10,8 +10,9 @@
 namespace temblor::render {
 
 // Below so many pixels from end to end, a model's triangles are drawn by subdivision where the rasterizer is
-// chosen by size: the mean length of their sides, at the nearest point of the model's box.
-constexpr double kSubdivisionSidePx = 2.0;
+// chosen by size: the mean length of their sides, at the nearest point of the model's box. Up to 2 its
+// picture differs little enough from affine's, but from here on it is slower (docs/performance.md).
+constexpr double kSubdivisionSidePx = 1.35;
 
 struct PreparedAlias {
   TriangleJob job;

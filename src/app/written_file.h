@@ -1,0 +1,15 @@
+// Files that are there whole or not at all.
+#pragma once
+
+#include <filesystem>
+
+#include "base/bytes.h"
+#include "base/result.h"
+
+namespace temblor::app {
+
+// Written beside `path` under another name, then renamed: whoever reads it meanwhile sees the old file or the
+// new one, and a full disk leaves the old one. Errors name the file and say what to do.
+base::Status replace_file(const std::filesystem::path& path, base::Bytes bytes);
+
+}  // namespace temblor::app

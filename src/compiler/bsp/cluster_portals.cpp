@@ -1,0 +1,93 @@
+#include "compiler/bsp/cluster_portals.h"
+
+#include <algorithm>
+
+namespace temblor::compiler {
+namespace {
+
+// The tree down to where detail begins, and which of its leafs each of the whole tree's lies in.
+struct CoarseTree {
+  Tree tree;
+  std::vector<std::uint32_t> coarse_leaf;  // by leaf of the whole tree
+};
+
+class Coarsener {
+ public:
+  explicit Coarsener(const Tree& tree) : whole_(tree) {
+    out_.tree.box = tree.box;
+    out_.coarse_leaf.assign(tree.leafs.size(), 0);
+  }
+
+  CoarseTree make() {
+    out_.tree.root = add(whole_.root);
+    return std::move(out_);
+  }
+
+ private:
+  std::int32_t add(std::int32_t child) {
+    if (child < 0 || whole_.nodes[static_cast<std::size_t>(child)].is_detail) {
+      out_.tree.leafs.push_back({Fill::kSky, Fill::kSky, {}});
+      gather(child, out_.tree.leafs.size() - 1);
+      return ~static_cast<std::int32_t>(out_.tree.leafs.size() - 1);
+    }
+    const TreeNode& from = whole_.nodes[static_cast<std::size_t>(child)];
+    const std::size_t index = out_.tree.nodes.size();
+    out_.tree.nodes.push_back({from.plane, {}, false});
+    const std::int32_t front = add(from.children[0]), back = add(from.children[1]);
+    out_.tree.nodes[index].children = {front, back};
+    return static_cast<std::int32_t>(index);
+  }
+
+  // Something that is not opaque shows that the leaf as a whole is not.
+  void gather(std::int32_t child, std::size_t into) {
+    if (child >= 0) {
+      for (const std::int32_t below : whole_.nodes[static_cast<std::size_t>(child)].children)
+        gather(below, into);
+      return;
+    }
+    const auto leaf = static_cast<std::size_t>(~child);
+    out_.coarse_leaf[leaf] = static_cast<std::uint32_t>(into);
+    Fill& structure = out_.tree.leafs[into].structure;
+    if (!is_opaque(whole_.leafs[leaf].structure)) structure = whole_.leafs[leaf].structure;
+  }
+
+  const Tree& whole_;
+  CoarseTree out_;
+};
+
+bool is_open(Fill a, Fill b, bool water_is_transparent) {
+  if (is_opaque(a) || is_opaque(b)) return false;
+  return water_is_transparent || a == b || (!is_liquid(a) && !is_liquid(b));
+}
+
+}  // namespace
+
+PortalSet make_cluster_portals(const Tree& tree, const PlaneSet& planes,
+                               std::span<const std::uint32_t> leaf_numbers, std::size_t leaf_count,
+                               bool water_is_transparent) {
+  const CoarseTree coarse = Coarsener(tree).make();
+  PortalSet set;
+  set.cluster_of_leaf.assign(leaf_count, kNoCluster);
+  // Numbered in the order of the level's leafs.
+  std::vector<std::uint32_t> leaf_of_number(leaf_count, 0);
+  for (std::uint32_t leaf = 0; leaf < leaf_numbers.size(); ++leaf) leaf_of_number[leaf_numbers[leaf]] = leaf;
+  std::vector<std::uint32_t> cluster(coarse.tree.leafs.size(), kNoCluster);
+  const std::uint32_t last = *std::max_element(leaf_numbers.begin(), leaf_numbers.end());
+  for (std::uint32_t number = 1; number <= last; ++number) {
+    std::uint32_t& of_coarse = cluster[coarse.coarse_leaf[leaf_of_number[number]]];
+    if (of_coarse == kNoCluster) of_coarse = set.cluster_count++;
+    set.cluster_of_leaf[number] = of_coarse;
+  }
+  for (LeafPortal& portal : make_leaf_portals(coarse.tree, planes).portals) {
+    const auto [front, back] = portal.leafs;
+    if (cluster[front] == kNoCluster || cluster[back] == kNoCluster) continue;
+    if (!is_open(coarse.tree.leafs[front].structure, coarse.tree.leafs[back].structure, water_is_transparent))
+      continue;
+    const Plane& plane = planes[coarse.tree.nodes[portal.node].plane];
+    set.portals.push_back(
+        {std::move(portal.winding), plane.normal, plane.distance, {cluster[front], cluster[back]}});
+  }
+  return set;
+}
+
+}  // namespace temblor::compiler

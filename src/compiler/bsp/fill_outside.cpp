@@ -1,0 +1,72 @@
+#include "compiler/bsp/fill_outside.h"
+
+#include <deque>
+#include <limits>
+
+namespace temblor::compiler {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+math::Vec3d middle(const Winding& winding) {
+  math::Vec3d sum(0.0);
+  for (const math::Vec3d& point : winding) sum += point;
+  return sum / static_cast<double>(winding.size());
+}
+
+// From the outside inwards, nearest first.
+struct Flood {
+  std::vector<bool> reached;           // by leaf
+  std::vector<std::uint32_t> through;  // by leaf: the portal it was reached by; kNone: from outside
+};
+
+Flood flood(const Tree& tree, const LeafPortals& portals) {
+  std::vector<std::vector<std::uint32_t>> portals_of(tree.leafs.size());
+  for (std::size_t i = 0; i < portals.portals.size(); ++i)
+    for (const std::uint32_t leaf : portals.portals[i].leafs)
+      portals_of[leaf].push_back(static_cast<std::uint32_t>(i));
+  Flood flood{std::vector<bool>(tree.leafs.size(), false),
+              std::vector<std::uint32_t>(tree.leafs.size(), kNone)};
+  std::deque<std::uint32_t> next;
+  const auto reach = [&](std::uint32_t leaf, std::uint32_t portal) {
+    if (flood.reached[leaf] || is_opaque(tree.leafs[leaf].fill)) return;
+    flood.reached[leaf] = true;
+    flood.through[leaf] = portal;
+    next.push_back(leaf);
+  };
+  for (std::uint32_t leaf = 0; leaf < tree.leafs.size(); ++leaf)
+    if (portals.is_outermost[leaf]) reach(leaf, kNone);
+  while (!next.empty()) {
+    const std::uint32_t leaf = next.front();
+    next.pop_front();
+    for (const std::uint32_t portal : portals_of[leaf]) {
+      const auto& sides = portals.portals[portal].leafs;
+      reach(sides[0] == leaf ? sides[1] : sides[0], portal);
+    }
+  }
+  return flood;
+}
+
+}  // namespace
+
+std::optional<Leak> fill_outside(Tree& io_tree, const PlaneSet& planes, const LeafPortals& portals,
+                                 std::span<const math::Vec3d> occupants) {
+  const Flood found = flood(io_tree, portals);
+  for (std::size_t i = 0; i < occupants.size(); ++i) {
+    std::uint32_t leaf = io_tree.leaf_at(occupants[i], planes);
+    if (!found.reached[leaf]) continue;
+    Leak leak{i, {occupants[i]}};
+    for (std::uint32_t portal = found.through[leaf]; portal != kNone; portal = found.through[leaf]) {
+      const LeafPortal& door = portals.portals[portal];
+      leak.way_world.push_back(middle(door.winding));
+      leaf = door.leafs[0] == leaf ? door.leafs[1] : door.leafs[0];
+    }
+    return leak;
+  }
+  if (occupants.empty()) return std::nullopt;  // a box of ammunition, say: all of it is outside
+  for (std::size_t leaf = 0; leaf < io_tree.leafs.size(); ++leaf)
+    if (found.reached[leaf]) io_tree.leafs[leaf] = {Fill::kSolid, Fill::kSolid, {}};
+  return std::nullopt;
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,102 @@
+#include "compiler/bsp/leaf_portals.h"
+
+#include <cmath>
+
+namespace temblor::compiler {
+namespace {
+
+class PortalMaker {
+ public:
+  PortalMaker(const Tree& tree, const PlaneSet& planes) : tree_(tree), planes_(planes) {
+    out_.is_outermost.assign(tree.leafs.size(), false);
+  }
+
+  LeafPortals make() {
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int side : {-1, 1}) {
+        Plane wall;
+        wall.normal[axis] = side;
+        wall.axis = axis;
+        wall.distance = side > 0 ? tree_.box.maxs[axis] : -tree_.box.mins[axis];
+        walls_.push_back(wall);
+      }
+    for (std::size_t i = 0; i < walls_.size(); ++i) {
+      Winding winding = whole_plane(walls_[i]);
+      for (std::size_t other = 0; other < walls_.size(); ++other)
+        if (other != i) cut_to_back(winding, walls_[other], true);
+      spread(tree_.root, std::move(winding), -walls_[i].normal,
+             [&](std::uint32_t leaf, Winding) { out_.is_outermost[leaf] = true; });
+    }
+    if (tree_.root >= 0) visit(tree_.root);
+    return std::move(out_);
+  }
+
+ private:
+  // A child of a node on the way down, and what lies outside of it.
+  struct Ancestor {
+    PlaneIndex outside;
+  };
+
+  void visit(std::int32_t number) {
+    const TreeNode& node = tree_.nodes[static_cast<std::size_t>(number)];
+    const Plane& plane = planes_[node.plane];
+    Winding winding = whole_plane(plane);
+    for (const Plane& wall : walls_) cut_to_back(winding, wall, true);
+    // From the node upwards: the nearest ancestors cut off most.
+    for (std::size_t i = ancestors_.size(); i-- > 0 && !winding.empty();)
+      cut_to_back(winding, planes_[ancestors_[i].outside], true);
+    if (!is_tiny(winding))
+      spread(node.children[0], std::move(winding), plane.normal, [&](std::uint32_t front, Winding part) {
+        spread(node.children[1], std::move(part), -plane.normal, [&](std::uint32_t back, Winding piece) {
+          out_.portals.push_back({std::move(piece), static_cast<std::uint32_t>(number), {front, back}});
+        });
+      });
+    for (const int side : {0, 1}) {
+      if (node.children[static_cast<std::size_t>(side)] < 0) continue;
+      ancestors_.push_back({side == 0 ? turned(node.plane) : node.plane});
+      visit(node.children[static_cast<std::size_t>(side)]);
+      ancestors_.pop_back();
+    }
+  }
+
+  // Calls found(leaf, part) for each leaf below `child` that the winding bounds; `inwards` points into them.
+  template <typename Found>
+  void spread(std::int32_t child, Winding winding, const math::Vec3d& inwards, const Found& found) {
+    while (child >= 0) {
+      const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
+      const Plane& plane = planes_[node.plane];
+      WindingParts parts = split(winding, plane);
+      const bool lies_on = parts.front.empty() && parts.back.empty();
+      if (lies_on) {
+        child = node.children[glm::dot(inwards, plane.normal) > 0 ? 0 : 1];
+        continue;
+      }
+      const bool in_front = !is_tiny(parts.front), behind = !is_tiny(parts.back);
+      if (in_front && behind) {
+        spread(node.children[0], std::move(parts.front), inwards, found);
+        winding = std::move(parts.back);
+        child = node.children[1];
+      } else if (in_front || behind) {
+        winding = std::move(in_front ? parts.front : parts.back);
+        child = node.children[in_front ? 0 : 1];
+      } else {
+        return;
+      }
+    }
+    found(static_cast<std::uint32_t>(~child), std::move(winding));
+  }
+
+  const Tree& tree_;
+  const PlaneSet& planes_;
+  std::vector<Plane> walls_;
+  std::vector<Ancestor> ancestors_;
+  LeafPortals out_;
+};
+
+}  // namespace
+
+LeafPortals make_leaf_portals(const Tree& tree, const PlaneSet& planes) {
+  return PortalMaker(tree, planes).make();
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,31 @@
+// The brushes of a map, sorted into the level's models, with what their sides show.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "compiler/bsp/brush.h"
+#include "compiler/bsp/faces.h"
+#include "compiler/draft.h"
+#include "formats/map.h"
+
+namespace temblor::compiler {
+
+struct LevelBrushes {
+  PlaneSet planes;
+  std::vector<Surface> surfaces;
+  std::vector<std::string> textures;  // a texinfo's miptex is a place in it
+  std::vector<SurfaceKeys> surface_keys;
+  std::vector<std::vector<Brush>> models;  // the world first
+  // What goes into the level: worldspawn first, without brushes; those with brushes name their model.
+  std::vector<formats::Entity> entities;
+  // Points that must not be reached from outside, and of which entity of the map.
+  std::vector<math::Vec3d> occupants_world;
+  std::vector<std::size_t> entity_of_occupant;
+};
+
+base::Result<LevelBrushes> sort_brushes(const formats::Map& map, TextureSize texture_size,
+                                        Warnings& io_warnings);
+
+}  // namespace temblor::compiler

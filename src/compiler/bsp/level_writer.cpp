@@ -1,0 +1,196 @@
+#include "compiler/bsp/level_writer.h"
+
+#include <algorithm>
+
+namespace temblor::compiler {
+namespace {
+
+// As a .bsp names what is in a leaf.
+std::int32_t contents_of(Fill fill) {
+  switch (fill) {
+    case Fill::kWater:
+      return -3;
+    case Fill::kSlime:
+      return -4;
+    case Fill::kLava:
+      return -5;
+    case Fill::kSky:
+      return -6;
+    default:
+      return is_blocked(fill) ? -2 : -1;
+  }
+}
+
+void join(Box& io_box, const Box& other) {
+  if (other.is_empty()) return;
+  io_box.add(other.mins);
+  io_box.add(other.maxs);
+}
+
+math::Vec3 mins_of(const Box& box) {
+  return box.is_empty() ? math::Vec3(0.0f) : math::Vec3(box.mins);
+}
+math::Vec3 maxs_of(const Box& box) {
+  return box.is_empty() ? math::Vec3(0.0f) : math::Vec3(box.maxs);
+}
+
+std::size_t number(std::int32_t leaf_child) {
+  return static_cast<std::size_t>(~leaf_child);
+}
+
+}  // namespace
+
+LevelWriter::LevelWriter(const PlaneSet& planes) : planes_(planes) {
+  formats::BspLeaf solid;
+  solid.contents = contents_of(Fill::kSolid);
+  bsp_.leafs.push_back(solid);
+  bsp_.edges.push_back({});  // a surfedge's sign could not turn edge 0
+}
+
+std::vector<std::uint32_t> LevelWriter::add_model(const Tree& tree, std::span<const LeafPortal> portals,
+                                                  std::span<const TreeFace> faces, const Box& box) {
+  ModelParts parts{tree, std::vector<Box>(tree.leafs.size()),
+                   std::vector<std::uint32_t>(tree.leafs.size(), 0),
+                   std::vector<std::pair<std::uint32_t, std::uint32_t>>(tree.nodes.size())};
+  for (const LeafPortal& portal : portals)
+    for (const std::uint32_t leaf : portal.leafs) parts.leaf_boxes[leaf].add(portal.winding);
+  formats::BspModel model;
+  model.mins = mins_of(box);
+  model.maxs = maxs_of(box);
+  model.first_face = static_cast<std::uint32_t>(bsp_.faces.size());
+  const std::size_t first_leaf = bsp_.leafs.size();
+  add_leafs(tree.root, parts);
+  model.visible_leafs = static_cast<std::int32_t>(bsp_.leafs.size() - first_leaf);
+  add_faces(faces, parts);
+  model.face_count = static_cast<std::uint32_t>(bsp_.faces.size()) - model.first_face;
+  model.head_nodes = {add_node(tree.root, parts).first, -1, -1, -1};
+  bsp_.models.push_back(model);
+  return std::move(parts.leaf_numbers);
+}
+
+void LevelWriter::add_leafs(std::int32_t child, ModelParts& io_parts) {
+  if (child >= 0) {
+    for (const std::int32_t below : io_parts.tree.nodes[static_cast<std::size_t>(child)].children)
+      add_leafs(below, io_parts);
+    return;
+  }
+  const TreeLeaf& from = io_parts.tree.leafs[number(child)];
+  if (is_blocked(from.fill)) return;
+  formats::BspLeaf leaf;
+  leaf.contents = contents_of(from.fill);
+  leaf.mins = mins_of(io_parts.leaf_boxes[number(child)]);
+  leaf.maxs = maxs_of(io_parts.leaf_boxes[number(child)]);
+  io_parts.leaf_numbers[number(child)] = static_cast<std::uint32_t>(bsp_.leafs.size());
+  bsp_.leafs.push_back(leaf);
+}
+
+void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_parts) {
+  std::vector<FaceLoop> loops;
+  for (const TreeFace& face : faces) {
+    FaceLoop loop;
+    for (const math::Vec3d& point : face.winding) loop.push_back(vertices_.find_or_add(point));
+    loops.push_back(std::move(loop));
+  }
+  close_t_junctions(loops, vertices_);
+  open_edges_.clear();  // no edge is shared by two models
+  std::vector<std::vector<std::uint32_t>> marked(bsp_.leafs.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const TreeFace& face = faces[i];
+    const auto in_sight = [&](std::uint32_t leaf) { return io_parts.leaf_numbers[leaf] != 0; };
+    if (loops[i].size() < 3 || std::none_of(face.leafs.begin(), face.leafs.end(), in_sight)) continue;
+    const auto index = static_cast<std::uint32_t>(bsp_.faces.size());
+    formats::BspFace out;
+    out.plane = plane_number(stored(face.plane));
+    out.side = is_turned(face.plane) ? 1 : 0;
+    out.first_surfedge = static_cast<std::uint32_t>(bsp_.surfedges.size());
+    out.surfedge_count = static_cast<std::uint32_t>(loops[i].size());
+    for (std::size_t k = 0; k < loops[i].size(); ++k)
+      bsp_.surfedges.push_back(surfedge(loops[i][k], loops[i][(k + 1) % loops[i].size()]));
+    bsp_.faces.push_back(out);
+    surface_of_face_.push_back(face.surface);
+    auto& [first, count] = io_parts.first_face_and_count[face.node];
+    if (count++ == 0) first = index;
+    for (const std::uint32_t leaf : face.leafs)
+      if (in_sight(leaf)) marked[io_parts.leaf_numbers[leaf]].push_back(index);
+  }
+  for (std::size_t leaf = 0; leaf < marked.size(); ++leaf) {
+    if (marked[leaf].empty()) continue;
+    bsp_.leafs[leaf].first_marksurface = static_cast<std::uint32_t>(bsp_.marksurfaces.size());
+    bsp_.leafs[leaf].marksurface_count = static_cast<std::uint32_t>(marked[leaf].size());
+    bsp_.marksurfaces.insert(bsp_.marksurfaces.end(), marked[leaf].begin(), marked[leaf].end());
+  }
+}
+
+std::pair<std::int32_t, Box> LevelWriter::add_node(std::int32_t child, const ModelParts& parts) {
+  if (child < 0) {
+    const Fill fill = parts.tree.leafs[number(child)].fill;
+    const bool is_seen = !is_blocked(fill) || fill == Fill::kFence;  // what is seen in a fence is drawn, too
+    return {-static_cast<std::int32_t>(parts.leaf_numbers[number(child)]) - 1,
+            is_seen ? parts.leaf_boxes[number(child)] : Box{}};
+  }
+  const TreeNode& from = parts.tree.nodes[static_cast<std::size_t>(child)];
+  const std::size_t index = bsp_.nodes.size();
+  bsp_.nodes.emplace_back();
+  formats::BspNode node;
+  node.plane = plane_number(from.plane);
+  std::tie(node.first_face, node.face_count) = parts.first_face_and_count[static_cast<std::size_t>(child)];
+  Box box;
+  for (const std::size_t side : {0, 1}) {
+    const auto [number_below, box_below] = add_node(from.children[side], parts);
+    node.children[side] = number_below;
+    join(box, box_below);
+  }
+  node.mins = mins_of(box);
+  node.maxs = maxs_of(box);
+  bsp_.nodes[index] = node;
+  return {static_cast<std::int32_t>(index), box};
+}
+
+void LevelWriter::set_hull(std::size_t hull, const Tree& tree) {
+  bsp_.models.back().head_nodes[hull] = add_clipnode(tree, tree.root);
+}
+
+std::int32_t LevelWriter::add_clipnode(const Tree& tree, std::int32_t child) {
+  if (child < 0) return contents_of(tree.leafs[number(child)].fill);
+  const TreeNode& from = tree.nodes[static_cast<std::size_t>(child)];
+  const std::size_t index = bsp_.clipnodes.size();
+  bsp_.clipnodes.push_back({plane_number(from.plane), {}});
+  for (const std::size_t side : {0, 1}) {
+    const std::int32_t below = add_clipnode(tree, from.children[side]);
+    bsp_.clipnodes[index].children[side] = below;
+  }
+  return static_cast<std::int32_t>(index);
+}
+
+std::uint32_t LevelWriter::plane_number(PlaneIndex plane) {
+  const auto [known, is_new] =
+      plane_numbers_.try_emplace(plane, static_cast<std::uint32_t>(bsp_.planes.size()));
+  if (is_new) {
+    const Plane& from = planes_[plane];
+    std::int32_t dominant = 0;
+    for (std::int32_t axis : {1, 2})
+      if (std::abs(from.normal[axis]) > std::abs(from.normal[dominant])) dominant = axis;
+    bsp_.planes.push_back({math::Vec3(from.normal), static_cast<float>(from.distance),
+                           from.axis < 3 ? from.axis : 3 + dominant});
+  }
+  return known->second;
+}
+
+std::int32_t LevelWriter::surfedge(std::uint32_t from, std::uint32_t to) {
+  if (const auto open = open_edges_.find({to, from}); open != open_edges_.end()) {
+    const auto edge = static_cast<std::int32_t>(open->second);
+    open_edges_.erase(open);
+    return -edge;
+  }
+  const auto edge = static_cast<std::uint32_t>(bsp_.edges.size());
+  bsp_.edges.push_back({{from, to}});
+  open_edges_.insert_or_assign({from, to}, edge);
+  return static_cast<std::int32_t>(edge);
+}
+
+formats::Bsp LevelWriter::take() && {
+  for (const math::Vec3d& point : vertices_.points()) bsp_.vertices.push_back(math::Vec3(point));
+  return std::move(bsp_);
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,60 @@
+#include "compiler/bsp/planes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace temblor::compiler {
+namespace {
+
+constexpr double kSameNormal = 1e-5, kSameDistance = 0.01;  // units
+
+// To the axis, where it is as good as one; distances of such planes to whole units likewise.
+void snap(math::Vec3d& io_normal, double& io_distance) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(std::abs(io_normal[axis]) - 1) >= kSameNormal) continue;
+    const double sign = io_normal[axis] < 0 ? -1 : 1;
+    io_normal = math::Vec3d(0.0);
+    io_normal[axis] = sign;
+    const double whole = std::round(io_distance);
+    if (std::abs(io_distance - whole) < kSameDistance) io_distance = whole;
+    return;
+  }
+}
+
+// The first of those that are as long as the longest: rounding must not make two planes of one.
+int dominant_axis(const math::Vec3d& normal) {
+  constexpr double kAsLong = 1e-4;
+  const math::Vec3d size = glm::abs(normal);
+  const double least = std::max({size.x, size.y, size.z}) - kAsLong;
+  return size.x >= least ? 0 : size.y >= least ? 1 : 2;
+}
+
+}  // namespace
+
+PlaneIndex PlaneSet::find_or_add(math::Vec3d normal, double distance) {
+  snap(normal, distance);
+  const int dominant = dominant_axis(normal);
+  const bool turn = normal[dominant] < 0;
+  if (turn) {
+    normal = -normal;
+    distance = -distance;
+  }
+  const auto unit = static_cast<std::int64_t>(std::floor(distance));
+  for (std::int64_t near = unit - 1; near <= unit + 1; ++near) {
+    const auto [begin, end] = by_distance_.equal_range(near);
+    for (auto it = begin; it != end; ++it) {
+      const Plane& known = (*this)[it->second];
+      if (std::abs(known.distance - distance) < kSameDistance &&
+          glm::all(glm::lessThan(glm::abs(known.normal - normal), math::Vec3d(kSameNormal))))
+        return turn ? turned(it->second) : it->second;
+    }
+  }
+  const auto index = static_cast<PlaneIndex>(planes_.size());
+  const int axis = normal[dominant] == 1 ? dominant : 3;
+  planes_.push_back({normal, distance, axis});
+  planes_.push_back({-normal, -distance, axis});
+  by_distance_.emplace(unit, index);
+  return turn ? turned(index) : index;
+}
+
+}  // namespace temblor::compiler

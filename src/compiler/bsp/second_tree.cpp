@@ -1,0 +1,147 @@
+#include "compiler/bsp/second_tree.h"
+
+namespace temblor::compiler {
+namespace {
+
+bool overlap(const Box& a, const Box& b) {
+  return glm::all(glm::lessThanEqual(a.mins - kOnPlane, b.maxs)) &&
+         glm::all(glm::lessThanEqual(b.mins - kOnPlane, a.maxs));
+}
+
+// The brushes, only sides splitting at which the fill changes somewhere (and hints).
+std::vector<Brush> only_bounding(const Tree& tree, std::span<const LeafPortal> portals,
+                                 std::span<const Brush> brushes) {
+  std::vector<Brush> kept(brushes.begin(), brushes.end());
+  std::vector<std::vector<Box>> side_boxes(kept.size());
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    for (BrushSide& side : kept[i].sides) {
+      side_boxes[i].emplace_back().add(side.winding);
+      side.splits &= kept[i].fill == Fill::kEmpty;
+    }
+  for (const LeafPortal& portal : portals) {
+    const TreeLeaf &front = tree.leafs[portal.leafs[0]], &back = tree.leafs[portal.leafs[1]];
+    if (front.fill == back.fill && front.structure == back.structure) continue;
+    const PlaneIndex plane = tree.nodes[portal.node].plane;
+    Box box;
+    box.add(portal.winding);
+    bool found = false;
+    for (const TreeLeaf* leaf : {&front, &back})
+      for (const std::uint32_t brush : leaf->brushes)
+        for (std::size_t i = 0; i < kept[brush].sides.size(); ++i) {
+          if (stored(kept[brush].sides[i].plane) != plane || !overlap(side_boxes[brush][i], box)) continue;
+          kept[brush].sides[i].splits = true;
+          found = true;
+        }
+    if (found) continue;
+    // The plane is another brush's, so near to one of these that the tree took both for one.
+    for (const TreeLeaf* leaf : {&front, &back})
+      for (const std::uint32_t brush : leaf->brushes)
+        for (BrushSide& side : kept[brush].sides) side.splits = true;
+  }
+  return kept;
+}
+
+// A point inside of each bounded leaf: the mean of its portals' corners.
+struct InnerPoint {
+  math::Vec3d sum{0.0};
+  double count = 0;
+  int portals = 0;
+};
+
+std::vector<InnerPoint> inner_points(const Tree& tree, std::span<const LeafPortal> portals) {
+  std::vector<InnerPoint> points(tree.leafs.size());
+  for (const LeafPortal& portal : portals)
+    for (const std::uint32_t leaf : portal.leafs) {
+      for (const math::Vec3d& corner : portal.winding) points[leaf].sum += corner;
+      points[leaf].count += static_cast<double>(portal.winding.size());
+      ++points[leaf].portals;
+    }
+  return points;
+}
+
+// Places faces one after another.
+class FacePlacer {
+ public:
+  FacePlacer(const Tree& tree, const PlaneSet& planes) : tree_(tree), planes_(planes) {}
+
+  std::vector<TreeFace> place(std::span<const TreeFace> faces) {
+    for (const TreeFace& face : faces) find_node(face, face.winding, tree_.root);
+    return std::move(placed_);
+  }
+
+ private:
+  void find_node(const TreeFace& face, Winding winding, std::int32_t child) {
+    while (child >= 0) {
+      const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
+      WindingParts parts = split(winding, planes_[node.plane]);
+      const std::size_t facing = glm::dot(planes_[face.plane].normal, planes_[node.plane].normal) > 0 ? 0 : 1;
+      if (parts.front.empty() && parts.back.empty()) {
+        if (node.plane == stored(face.plane)) {
+          TreeFace placed{winding, face.plane, face.surface, static_cast<std::uint32_t>(child), {}};
+          find_leafs(std::move(winding), planes_[face.plane].normal, node.children[facing], placed.leafs);
+          placed_.push_back(std::move(placed));
+          return;
+        }
+        child = node.children[facing];
+        continue;
+      }
+      const bool in_front = !is_tiny(parts.front), behind = !is_tiny(parts.back);
+      if (!in_front && !behind) return;
+      if (in_front && behind) find_node(face, std::move(parts.front), node.children[0]);
+      winding = std::move(behind ? parts.back : parts.front);
+      child = node.children[behind ? 1 : 0];
+    }
+  }
+
+  void find_leafs(Winding winding, const math::Vec3d& outwards, std::int32_t child,
+                  std::vector<std::uint32_t>& out) {
+    while (child >= 0) {
+      const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
+      const Plane& plane = planes_[node.plane];
+      WindingParts parts = split(winding, plane);
+      if (parts.front.empty() && parts.back.empty()) {
+        child = node.children[glm::dot(outwards, plane.normal) > 0 ? 0 : 1];
+        continue;
+      }
+      const bool in_front = !is_tiny(parts.front), behind = !is_tiny(parts.back);
+      if (!in_front && !behind) return;
+      if (in_front && behind) find_leafs(std::move(parts.front), outwards, node.children[0], out);
+      winding = std::move(behind ? parts.back : parts.front);
+      child = node.children[behind ? 1 : 0];
+    }
+    out.push_back(static_cast<std::uint32_t>(~child));
+  }
+
+  const Tree& tree_;
+  const PlaneSet& planes_;
+  std::vector<TreeFace> placed_;
+};
+
+}  // namespace
+
+SecondTree make_second_tree(const Tree& first, std::span<const LeafPortal> portals,
+                            std::span<const Brush> brushes, const PlaneSet& planes) {
+  SecondTree second;
+  second.tree = build_tree(only_bounding(first, portals, brushes), planes, Cover::kNone);
+  second.portals = make_leaf_portals(second.tree, planes);
+  const std::vector<InnerPoint> points = inner_points(second.tree, second.portals.portals);
+  for (std::size_t i = 0; i < second.tree.leafs.size(); ++i) {
+    TreeLeaf& leaf = second.tree.leafs[i];
+    constexpr int kFewestWalls = 4;
+    if (!second.portals.is_outermost[i] && points[i].portals < kFewestWalls)
+      continue;  // a sliver: what its brushes say
+    // Outside is the same everywhere; the corner of the box is outside.
+    const math::Vec3d inside =
+        second.portals.is_outermost[i] ? first.box.mins + 1.0 : points[i].sum / points[i].count;
+    const TreeLeaf& known = first.leafs[first.leaf_at(inside, planes)];
+    leaf.fill = known.fill;
+    leaf.structure = known.structure;
+  }
+  return second;
+}
+
+std::vector<TreeFace> place_faces(std::span<const TreeFace> faces, const Tree& tree, const PlaneSet& planes) {
+  return FacePlacer(tree, planes).place(faces);
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,302 @@
+#include "compiler/bsp/tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace temblor::compiler {
+namespace {
+
+constexpr double kRoomAround = 128;  // units
+// With more brushes a middle plane is taken.
+constexpr std::size_t kMostWeighed = 96;
+
+struct PieceSide {
+  PlaneIndex plane;
+  bool splits;
+  Winding winding;
+};
+
+// What of a brush lies in a node.
+struct Piece {
+  std::uint32_t brush;
+  bool is_detail;
+  Box box;
+  std::vector<PieceSide> sides;
+};
+
+using Pieces = std::vector<Piece>;
+
+enum class Where { kFront, kBack, kBoth };
+
+// By how much a piece lies on either side of a plane.
+struct Reach {
+  double front, back;
+};
+
+Reach reach(const Piece& piece, const Plane& plane) {
+  const math::Vec3d middle = (piece.box.mins + piece.box.maxs) * 0.5,
+                    half = (piece.box.maxs - piece.box.mins) * 0.5;
+  const double at = plane.distance_to(middle), wide = glm::dot(half, glm::abs(plane.normal));
+  if (plane.axis < 3 || at - wide >= -kOnPlane || at + wide <= kOnPlane) return {at + wide, wide - at};
+  Reach found{-1e30, -1e30};
+  for (const PieceSide& side : piece.sides)
+    for (const math::Vec3d& point : side.winding) {
+      const double d = plane.distance_to(point);
+      found = {std::max(found.front, d), std::max(found.back, -d)};
+    }
+  return found;
+}
+
+Where side_of(const Reach& reach) {
+  if (reach.back <= kOnPlane) return Where::kFront;
+  if (reach.front <= kOnPlane) return Where::kBack;
+  // A sliver is not worth a piece of its own.
+  constexpr double kSliver = 0.1;
+  if (reach.back < kSliver && reach.front > kSliver) return Where::kFront;
+  if (reach.front < kSliver && reach.back > kSliver) return Where::kBack;
+  return Where::kBoth;
+}
+
+Box box_of(const Piece& piece) {
+  Box box;
+  for (const PieceSide& side : piece.sides) box.add(side.winding);
+  return box;
+}
+
+std::pair<Piece, Piece> split(const Piece& piece, PlaneIndex number, const PlaneSet& planes) {
+  const Plane& plane = planes[number];
+  std::pair<Piece, Piece> parts;
+  parts.first.brush = parts.second.brush = piece.brush;
+  parts.first.is_detail = parts.second.is_detail = piece.is_detail;
+  for (const PieceSide& side : piece.sides) {
+    WindingParts cut = split(side.winding, plane);
+    // However narrow: without it the part would have no end on that side.
+    if (!cut.front.empty()) parts.first.sides.push_back({side.plane, side.splits, std::move(cut.front)});
+    if (!cut.back.empty()) parts.second.sides.push_back({side.plane, side.splits, std::move(cut.back)});
+  }
+  Winding between = whole_plane(plane);
+  for (const PieceSide& side : piece.sides) {
+    cut_to_back(between, planes[side.plane], true);
+    if (between.empty()) break;
+  }
+  if (!between.empty()) {
+    Winding turned_round(between.rbegin(), between.rend());
+    // The front part lies behind the plane as seen from the back, and the other way round.
+    parts.first.sides.push_back({turned(number), false, std::move(turned_round)});
+    parts.second.sides.push_back({number, false, std::move(between)});
+  }
+  parts.first.box = box_of(parts.first);
+  parts.second.box = box_of(parts.second);
+  return parts;
+}
+
+bool has_volume(const Piece& piece) {
+  return piece.sides.size() >= 4;
+}
+
+class TreeBuilder {
+ public:
+  TreeBuilder(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover)
+      : brushes_(brushes), planes_(planes), cover_(cover), weighed_(planes.size(), 0) {}
+
+  Tree build() {
+    Pieces pieces;
+    for (std::size_t i = 0; i < brushes_.size(); ++i) {
+      const Brush& brush = brushes_[i];
+      Piece piece{static_cast<std::uint32_t>(i), brush.is_detail, brush.box, {}};
+      for (const BrushSide& side : brush.sides)
+        if (!side.winding.empty()) piece.sides.push_back({side.plane, side.splits, side.winding});
+      tree_.box.add(brush.box.mins);
+      tree_.box.add(brush.box.maxs);
+      pieces.push_back(std::move(piece));
+    }
+    if (tree_.box.is_empty()) tree_.box.add(math::Vec3d(0.0));
+    tree_.box.mins -= kRoomAround;
+    tree_.box.maxs += kRoomAround;
+    tree_.root = grow(std::move(pieces), tree_.box);
+    return std::move(tree_);
+  }
+
+ private:
+  std::int32_t grow(Pieces pieces, const Box& box) {
+    keep_cover_alone(pieces);
+    bool is_detail = false;
+    const std::optional<PlaneIndex> plane = choose(pieces, box, is_detail);
+    if (!plane) return add_leaf(pieces);
+    Pieces front, back;
+    divide(std::move(pieces), *plane, front, back);
+    const auto index = static_cast<std::int32_t>(tree_.nodes.size());
+    tree_.nodes.push_back({*plane, {}, is_detail});
+    Box front_box = box, back_box = box;
+    const Plane& p = planes_[*plane];
+    if (p.axis < 3) front_box.mins[p.axis] = back_box.maxs[p.axis] = p.distance;
+    const std::int32_t front_child = grow(std::move(front), front_box);
+    const std::int32_t back_child = grow(std::move(back), back_box);
+    tree_.nodes[static_cast<std::size_t>(index)].children = {front_child, back_child};
+    return index;
+  }
+
+  // Where a solid brush fills the whole node, nothing else in it matters.
+  void keep_cover_alone(Pieces& io_pieces) const {
+    if (cover_ == Cover::kNone || io_pieces.size() < 2) return;
+    std::uint32_t last = 0;
+    for (const Piece& piece : io_pieces) last = std::max(last, piece.brush);
+    for (Piece& piece : io_pieces) {
+      if (brushes_[piece.brush].fill != Fill::kSolid || (cover_ == Cover::kLast && piece.brush != last))
+        continue;
+      const auto splits = [](const PieceSide& side) { return side.splits; };
+      if (std::any_of(piece.sides.begin(), piece.sides.end(), splits)) continue;
+      Piece cover = std::move(piece);
+      io_pieces.clear();
+      io_pieces.push_back(std::move(cover));
+      return;
+    }
+  }
+
+  void divide(Pieces pieces, PlaneIndex number, Pieces& out_front, Pieces& out_back) {
+    const Plane& plane = planes_[number];
+    for (Piece& piece : pieces) {
+      // What lies in the plane is dealt with: there is no second node for it.
+      for (PieceSide& side : piece.sides) side.splits &= stored(side.plane) != number;
+      switch (side_of(reach(piece, plane))) {
+        case Where::kFront:
+          out_front.push_back(std::move(piece));
+          break;
+        case Where::kBack:
+          out_back.push_back(std::move(piece));
+          break;
+        case Where::kBoth: {
+          auto [front, back] = split(piece, number, planes_);
+          if (has_volume(front) && has_volume(back)) {
+            out_front.push_back(std::move(front));
+            out_back.push_back(std::move(back));
+          } else {
+            (has_volume(front) ? out_front : out_back).push_back(std::move(piece));
+          }
+        }
+      }
+    }
+  }
+
+  std::optional<PlaneIndex> choose(const Pieces& pieces, const Box& box, bool& out_is_detail) {
+    for (const bool detail : {false, true}) {
+      out_is_detail = detail;
+      if (pieces.size() > kMostWeighed)
+        if (const auto plane = middle_plane(pieces, box, detail)) return plane;
+      if (const auto plane = cheapest_plane(pieces, detail)) return plane;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<PlaneIndex> middle_plane(const Pieces& pieces, const Box& box, bool detail) const {
+    const math::Vec3d size = box.maxs - box.mins;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const double middle = (box.mins[axis] + box.maxs[axis]) / 2;
+    double nearest = size[axis] / 4;
+    std::optional<PlaneIndex> found;
+    for (const Piece& piece : pieces) {
+      if (piece.is_detail != detail) continue;
+      for (const PieceSide& side : piece.sides) {
+        const Plane& plane = planes_[stored(side.plane)];
+        if (!side.splits || plane.axis != axis) continue;
+        const double away = std::abs(plane.distance - middle);
+        if (away >= nearest) continue;
+        nearest = away;
+        found = stored(side.plane);
+      }
+    }
+    return found;
+  }
+
+  std::optional<PlaneIndex> cheapest_plane(const Pieces& pieces, bool detail) {
+    // Enough of the candidates, evenly spread, where there are very many.
+    constexpr std::size_t kMostTests = 40000;
+    const std::size_t step = std::max<std::size_t>(1, pieces.size() * pieces.size() * 6 / kMostTests);
+    ++round_;
+    long least = 0;
+    std::optional<PlaneIndex> found;
+    std::size_t candidate = 0;
+    for (const Piece& piece : pieces) {
+      if (piece.is_detail != detail) continue;
+      for (const PieceSide& side : piece.sides) {
+        const PlaneIndex plane = stored(side.plane);
+        if (!side.splits || std::exchange(weighed_[static_cast<std::uint32_t>(plane)], round_) == round_)
+          continue;
+        if (found && candidate++ % step != 0) continue;
+        const long cost = cost_of(plane, pieces);
+        if (found && cost >= least) continue;
+        least = cost;
+        found = plane;
+      }
+    }
+    return found;
+  }
+
+  long cost_of(PlaneIndex number, const Pieces& pieces) const {
+    const Plane& plane = planes_[number];
+    long split = 0, facing = 0, balance = 0;
+    for (const Piece& piece : pieces) {
+      const Reach by = reach(piece, plane);
+      const Where where = side_of(by);
+      split += where == Where::kBoth ? 1 : 0;
+      balance += where == Where::kFront ? 1 : where == Where::kBack ? -1 : 0;
+      if (std::abs(by.front) > kOnPlane && std::abs(by.back) > kOnPlane) continue;
+      for (const PieceSide& side : piece.sides) facing += stored(side.plane) == number ? 1 : 0;
+    }
+    return 8 * split - 4 * facing + std::abs(balance) - (plane.axis < 3 ? 6 : 0);
+  }
+
+  std::int32_t add_leaf(const Pieces& pieces) {
+    TreeLeaf leaf;
+    for (const Piece& piece : pieces) leaf.brushes.push_back(piece.brush);
+    std::sort(leaf.brushes.rbegin(), leaf.brushes.rend());
+    for (const Piece& piece : pieces) {
+      const Fill fill = brushes_[piece.brush].fill;
+      leaf.fill = std::max(leaf.fill, fill);
+      if (!piece.is_detail) leaf.structure = std::max(leaf.structure, fill);
+    }
+    tree_.leafs.push_back(std::move(leaf));
+    return ~static_cast<std::int32_t>(tree_.leafs.size() - 1);
+  }
+
+  std::span<const Brush> brushes_;
+  const PlaneSet& planes_;
+  Cover cover_;
+  std::vector<std::uint32_t> weighed_;  // by plane: the last round in which it was
+  std::uint32_t round_ = 0;
+  Tree tree_;
+};
+
+}  // namespace
+
+std::uint32_t Tree::leaf_at(const math::Vec3d& point, const PlaneSet& planes) const {
+  std::int32_t child = root;
+  while (child >= 0) {
+    const TreeNode& node = nodes[static_cast<std::size_t>(child)];
+    child = node.children[planes[node.plane].distance_to(point) >= 0 ? 0 : 1];
+  }
+  return static_cast<std::uint32_t>(~child);
+}
+
+Tree build_tree(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover) {
+  return TreeBuilder(brushes, planes, cover).build();
+}
+
+void prune(Tree& io_tree, base::FunctionRef<bool(const TreeLeaf&, const TreeLeaf&)> same) {
+  // Children have higher numbers than their parents.
+  for (std::size_t i = io_tree.nodes.size(); i-- > 0;) {
+    TreeNode& node = io_tree.nodes[i];
+    for (std::int32_t& child : node.children) {
+      if (child < 0) continue;
+      const auto& below = io_tree.nodes[static_cast<std::size_t>(child)].children;
+      if (below[0] >= 0 || below[1] >= 0) continue;
+      if (same(io_tree.leafs[static_cast<std::size_t>(~below[0])],
+               io_tree.leafs[static_cast<std::size_t>(~below[1])]))
+        child = below[0];
+    }
+  }
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,48 @@
+// Convex polygons in space, their corners clockwise seen from the front of their plane.
+#pragma once
+
+#include <vector>
+
+#include "compiler/bsp/planes.h"
+#include "math/vec.h"
+
+namespace temblor::compiler {
+
+using Winding = std::vector<math::Vec3d>;
+
+// Points nearer to a plane than this lie on it, in units.
+constexpr double kOnPlane = 0.01;
+// No level is larger, from its middle, in units.
+constexpr double kWorldExtent = 1 << 20;
+
+struct Box {
+  math::Vec3d mins{1e30}, maxs{-1e30};
+
+  void add(const math::Vec3d& point) {
+    mins = glm::min(mins, point);
+    maxs = glm::max(maxs, point);
+  }
+  void add(const Winding& winding) {
+    for (const math::Vec3d& point : winding) add(point);
+  }
+  bool is_empty() const { return mins.x > maxs.x; }
+};
+
+// A square in the plane that reaches beyond `extent` in every direction.
+Winding whole_plane(const Plane& plane, double extent = kWorldExtent);
+
+// What lies in front and behind; either may be empty. A winding on the plane goes to neither.
+struct WindingParts {
+  Winding front, back;
+};
+WindingParts split(const Winding& winding, const Plane& plane, double on_plane = kOnPlane);
+
+// What lies behind the plane (or on it, where `keep_on`) stays.
+void cut_to_back(Winding& io_winding, const Plane& plane, bool keep_on, double on_plane = kOnPlane);
+
+// Whether so little is left that it would only come of rounding: fewer than three sides of some length.
+bool is_tiny(const Winding& winding);
+
+double area(const Winding& winding);  // square units
+
+}  // namespace temblor::compiler

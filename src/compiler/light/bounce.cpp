@@ -1,0 +1,208 @@
+// Method: radiosity gathered by rays. Nodes are laid on every face, on each fourth luxel and at least on the
+// rim's. From a node rays go out, as often as the cosine of their angle, and the node that lies nearest to
+// where a ray ends is remembered: what such rays bring on average is what the node gets. So rays are traced
+// once however often the light bounces. Between nodes light is interpolated.
+#include "compiler/light/bounce.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compiler/light/directions.h"
+#include "compiler/light/sample_places.h"
+#include "world/face_at.h"
+
+namespace temblor::compiler {
+namespace {
+
+constexpr int kLuxelsToNode = 4;
+constexpr int kRays = 128;  // a node
+constexpr std::uint32_t kNoNode = std::numeric_limits<std::uint32_t>::max();
+constexpr float kFar = 1 << 20;  // longer than any level
+// How much of its light a grey surface sends back.
+constexpr float kReflectance = 0.5f;
+// Levels are made for bounced light that is this much brighter than that of real walls: measured on levels
+// that their makers lit with one bounce.
+constexpr float kGain = 3;
+
+struct NodeGrid {
+  std::uint32_t first_node = 0;
+  int columns = 0, rows = 0;  // nodes; 0: the face gets no light
+  int width = 0, height = 0;  // luxels
+
+  std::uint32_t node(int column, int row) const {
+    return first_node + static_cast<std::uint32_t>(row * columns + column);
+  }
+};
+
+int nodes_along(int luxels) {
+  return luxels <= 1 ? 1 : (luxels - 2) / kLuxelsToNode + 2;
+}
+// Nodes are spread evenly, the first and the last on the first and last luxel.
+double luxel_of_node(int node, int nodes, int luxels) {
+  return nodes <= 1 ? 0 : static_cast<double>(node) * (luxels - 1) / (nodes - 1);
+}
+
+struct BouncedWorld {
+  std::vector<NodeGrid> grids;          // by face
+  std::vector<math::Vec3> reflectance;  // by face
+  std::vector<std::uint32_t> face_of_node;
+};
+
+BouncedWorld lay_nodes(const LitLevel& lit) {
+  const world::Level& level = *lit.level;
+  BouncedWorld bounced;
+  bounced.grids.resize(level.faces.size());
+  bounced.reflectance.assign(level.faces.size(), math::Vec3(kReflectance));
+  for (std::size_t face = 0; face < level.faces.size(); ++face) {
+    if (!lit.gets_light[face]) continue;
+    const world::Face& shape = level.faces[face];
+    NodeGrid& grid = bounced.grids[face];
+    grid = {static_cast<std::uint32_t>(bounced.face_of_node.size()), nodes_along(shape.light_width()),
+            nodes_along(shape.light_height()), shape.light_width(), shape.light_height()};
+    bounced.face_of_node.insert(bounced.face_of_node.end(),
+                                static_cast<std::size_t>(grid.columns * grid.rows),
+                                static_cast<std::uint32_t>(face));
+    if (!lit.keys_of(face).takes_bounce) bounced.reflectance[face] = math::Vec3(0.0f);
+  }
+  return bounced;
+}
+
+// The node of a face nearest to a point on it.
+std::uint32_t node_at(const LitLevel& lit, const NodeGrid& grid, std::size_t face, const math::Vec3& point) {
+  if (grid.columns == 0) return kNoNode;
+  const world::Face& shape = lit.level->faces[face];
+  const world::TextureAxes& axes = lit.level->texture_axes[shape.axes];
+  const math::Vec3 local = point - lit.offset_of(face);
+  const auto nearest = [](float texel, int mins, int nodes, int luxels) {
+    constexpr float kTexels = 16;
+    if (nodes <= 1) return 0;
+    const float luxel = (texel - static_cast<float>(mins)) / kTexels;
+    const float along = luxel * static_cast<float>(nodes - 1) / static_cast<float>(luxels - 1);
+    return static_cast<int>(std::clamp(std::round(along), 0.0f, static_cast<float>(nodes - 1)));
+  };
+  const int column =
+      nearest(glm::dot(local, axes.s_axis) + axes.s_offset, shape.texture_mins[0], grid.columns, grid.width);
+  const int row =
+      nearest(glm::dot(local, axes.t_axis) + axes.t_offset, shape.texture_mins[1], grid.rows, grid.height);
+  return grid.node(column, row);
+}
+
+// For each node of a face kRays node numbers, node by node.
+void trace_face(const LitLevel& lit, const RayScene& scene, const BouncedWorld& bounced, std::size_t face,
+                std::vector<std::uint32_t>& out_seen) {
+  const NodeGrid& nodes = bounced.grids[face];
+  const LightGrid grid = make_light_grid(lit, face);
+  const std::vector<math::Vec3> luxels = sample_places(lit, scene, grid, 1).points;
+  std::vector<math::Vec3> places;
+  for (int row = 0; row < nodes.rows; ++row)
+    for (int column = 0; column < nodes.columns; ++column) {
+      const auto x = std::lround(luxel_of_node(column, nodes.columns, nodes.width));
+      const auto y = std::lround(luxel_of_node(row, nodes.rows, nodes.height));
+      places.push_back(luxels[static_cast<std::size_t>(y * nodes.width + x)]);
+    }
+  const Frame frame = frame_around(math::Vec3(grid.normal));
+  std::vector<math::Vec3> directions(places.size());
+  std::vector<RayHit> hits(places.size());
+  for (int ray = 0; ray < kRays; ++ray) {
+    std::fill(directions.begin(), directions.end(), in_frame(frame, cosine_direction(ray, kRays)));
+    scene.nearest(places, directions, kFar, hits);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      std::uint32_t seen = kNoNode;
+      if (const RayHit& hit = hits[i]; hit.surface != RayHit::kNone) {
+        const world::FacePlane plane = world::plane_of(*lit.level, lit.level->faces[hit.surface]);
+        // What turns its back on the ray is not a surface that one sees.
+        if (glm::dot(math::Vec3d(directions[i]), plane.normal) < 0)
+          seen =
+              node_at(lit, bounced.grids[hit.surface], hit.surface, places[i] + directions[i] * hit.distance);
+      }
+      out_seen[(nodes.first_node + i) * kRays + static_cast<std::size_t>(ray)] = seen;
+    }
+  }
+}
+
+// What each node sends back of the light that falls on its face: the mean of the luxels around it.
+std::vector<math::Vec3> first_light(const BouncedWorld& bounced, const std::vector<FaceLight>& light) {
+  std::vector<math::Vec3> sent(bounced.face_of_node.size(), math::Vec3(0.0f));
+  for (std::size_t face = 0; face < bounced.grids.size(); ++face) {
+    const NodeGrid& grid = bounced.grids[face];
+    const LightLayer* layer = light[face].find(0, LayerKind::kAdd);
+    if (grid.columns == 0 || layer == nullptr) continue;
+    for (int row = 0; row < grid.rows; ++row)
+      for (int column = 0; column < grid.columns; ++column) {
+        const auto x = static_cast<int>(std::lround(luxel_of_node(column, grid.columns, grid.width)));
+        const auto y = static_cast<int>(std::lround(luxel_of_node(row, grid.rows, grid.height)));
+        constexpr int kAround = kLuxelsToNode / 2;
+        math::Vec3 sum(0.0f);
+        float count = 0;
+        for (int v = std::max(0, y - kAround); v <= std::min(grid.height - 1, y + kAround); ++v)
+          for (int u = std::max(0, x - kAround); u <= std::min(grid.width - 1, x + kAround); ++u, ++count)
+            sum += layer->samples[static_cast<std::size_t>(v * grid.width + u)];
+        sent[grid.node(column, row)] = sum / count * bounced.reflectance[face];
+      }
+  }
+  return sent;
+}
+
+void add_to_face(const NodeGrid& grid, const std::vector<math::Vec3>& gathered, FaceLight& io_light) {
+  const auto luxels = static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
+  const std::uint32_t end = grid.first_node + static_cast<std::uint32_t>(grid.columns * grid.rows);
+  if (std::all_of(gathered.begin() + grid.first_node, gathered.begin() + end,
+                  [](const math::Vec3& light) { return light == math::Vec3(0.0f); }))
+    return;
+  std::vector<math::Vec3>& samples = io_light.layer(0, LayerKind::kAdd, luxels).samples;
+  const auto along = [](int luxel, int nodes, int count) {
+    return count <= 1 ? 0.0f : static_cast<float>(luxel * (nodes - 1)) / static_cast<float>(count - 1);
+  };
+  for (int y = 0; y < grid.height; ++y) {
+    const float row = along(y, grid.rows, grid.height);
+    const int top = static_cast<int>(row), bottom = std::min(top + 1, grid.rows - 1);
+    for (int x = 0; x < grid.width; ++x) {
+      const float column = along(x, grid.columns, grid.width);
+      const int left = static_cast<int>(column), right = std::min(left + 1, grid.columns - 1);
+      const math::Vec3 above = glm::mix(gathered[grid.node(left, top)], gathered[grid.node(right, top)],
+                                        column - static_cast<float>(left));
+      const math::Vec3 below = glm::mix(gathered[grid.node(left, bottom)], gathered[grid.node(right, bottom)],
+                                        column - static_cast<float>(left));
+      samples[static_cast<std::size_t>(y * grid.width + x)] +=
+          glm::mix(above, below, row - static_cast<float>(top));
+    }
+  }
+}
+
+}  // namespace
+
+void add_bounced_light(const LitLevel& lit, const RayScene& scene, const BounceSettings& settings,
+                       base::Jobs& io_jobs, std::vector<FaceLight>& io_light) {
+  const BouncedWorld bounced = lay_nodes(lit);
+  const std::size_t nodes = bounced.face_of_node.size();
+  std::vector<std::uint32_t> seen(nodes * kRays, kNoNode);
+  io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
+    if (bounced.grids[face].columns > 0) trace_face(lit, scene, bounced, face, seen);
+  });
+  std::vector<math::Vec3> sent = first_light(bounced, io_light);
+  std::vector<math::Vec3> gathered(nodes, math::Vec3(0.0f)), gathered_now(nodes);
+  for (int bounce = 0; bounce < settings.count; ++bounce) {
+    io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
+      const NodeGrid& grid = bounced.grids[face];
+      const auto last = grid.first_node + static_cast<std::uint32_t>(grid.columns * grid.rows);
+      for (std::size_t node = grid.first_node; node < last; ++node) {
+        math::Vec3 sum(0.0f);
+        for (std::size_t ray = 0; ray < kRays; ++ray)
+          if (const std::uint32_t from = seen[node * kRays + ray]; from != kNoNode) sum += sent[from];
+        gathered_now[node] = sum / float{kRays};
+      }
+    });
+    for (std::size_t node = 0; node < nodes; ++node) {
+      gathered[node] += gathered_now[node];
+      sent[node] = gathered_now[node] * bounced.reflectance[bounced.face_of_node[node]];
+    }
+  }
+  for (math::Vec3& light : gathered) light *= kGain * settings.scale;
+  io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
+    if (bounced.grids[face].columns > 0 && lit.keys_of(face).takes_bounce)
+      add_to_face(bounced.grids[face], gathered, io_light[face]);
+  });
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,205 @@
+// Method: light by light over all luxels of the face, so that the rays of a packet run side by side. What a
+// light would give without shadows is worked out first; only luxels that it reaches ask whether they see it.
+#include "compiler/light/direct_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "compiler/light/dirt.h"
+#include "world/visibility.h"
+
+namespace temblor::compiler {
+namespace {
+
+// Steps in a shadow's edge that are smaller than this in the light map are not looked into.
+constexpr float kRoughBelow = 1;
+
+struct Sphere {
+  math::Vec3 middle{0.0f};
+  float radius = 0;
+};
+
+Sphere sphere_around(std::span<const math::Vec3> points) {
+  math::Vec3 mins = points[0], maxs = points[0];
+  for (const math::Vec3& point : points) {
+    mins = glm::min(mins, point);
+    maxs = glm::max(maxs, point);
+  }
+  return {(mins + maxs) * 0.5f, glm::length(maxs - mins) * 0.5f};
+}
+
+// What stands up into a brush of sky is drawn there.
+bool lies_in_sky(const LitLevel& lit, std::span<const math::Vec3> places) {
+  return std::any_of(places.begin(), places.end(), [&](const math::Vec3& place) {
+    return world::point_contents(*lit.level, place) == world::Contents::kSky;
+  });
+}
+
+// Gives luxels that lie within something solid the mean of their neighbours, ring by ring, so that what is
+// seen of them fades into the rest. All stays as it is where all are hidden.
+void fill_hidden(int width, int height, std::span<const std::uint8_t> hidden,
+                 std::span<math::Vec3> io_samples) {
+  std::vector<std::uint8_t> unknown(hidden.begin(), hidden.end());
+  const auto left = [&] { return std::count(unknown.begin(), unknown.end(), std::uint8_t{1}); };
+  for (auto before = left(); before > 0 && before < static_cast<std::ptrdiff_t>(unknown.size());) {
+    const std::vector<std::uint8_t> was_unknown = unknown;
+    for (int row = 0; row < height; ++row)
+      for (int column = 0; column < width; ++column) {
+        const auto luxel = static_cast<std::size_t>(row * width + column);
+        if (was_unknown[luxel] == 0) continue;
+        math::Vec3 sum(0.0f);
+        float count = 0;
+        for (int y = std::max(0, row - 1); y <= std::min(height - 1, row + 1); ++y)
+          for (int x = std::max(0, column - 1); x <= std::min(width - 1, column + 1); ++x) {
+            const auto other = static_cast<std::size_t>(y * width + x);
+            if (was_unknown[other] != 0) continue;
+            sum += io_samples[other];
+            ++count;
+          }
+        if (count == 0) continue;
+        io_samples[luxel] = sum / count;
+        unknown[luxel] = 0;
+      }
+    const auto now = left();
+    if (now == before) return;
+    before = now;
+  }
+}
+
+class FaceLighter {
+ public:
+  FaceLighter(const DirectLightInput& input, std::size_t face)
+      : input_(input),
+        grid_(make_light_grid(input.lit, face)),
+        filter_(input.lit, input.scene, grid_, input.sampling),
+        places_(filter_.luxel_places().points),
+        hidden_(filter_.luxel_places().hidden),
+        bounds_(sphere_around(places_)),
+        flat_normal_(grid_.normal),
+        is_flat_(!input.phong.is_curved(face)),
+        is_in_sky_(lies_in_sky(input.lit, places_)),
+        unshadowed_(places_.size()) {
+    if (!is_flat_ || input.settings.dirt.on) set_normals();
+    if (input.settings.dirt.on && input.lit.keys_of(face).takes_dirt)
+      light_.dirt = dirt_at(input.scene, places_, normals_, input.settings.dirt);
+  }
+
+  void add(const LightSource& light) {
+    if (!may_reach(light)) return;
+    lit_luxels_.clear();
+    float brightest = 0;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      unshadowed_[i] = hidden_[i] != 0 ? 0 : value_of(light, i);
+      if (std::abs(unshadowed_[i]) <= kLightGate) continue;
+      lit_luxels_.push_back(static_cast<std::uint32_t>(i));
+      brightest = std::max(brightest, std::abs(unshadowed_[i]));
+    }
+    if (lit_luxels_.empty()) return;
+    const auto shares = filter_.shares(lit_luxels_, is_rough(brightest),
+                                       [&](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
+                                         input_.scene.towards_point(points, light.origin_world, out);
+                                       });
+    const LayerKind kind = light.attenuation == Attenuation::kLocalMinlight ? LayerKind::kRaise
+                           : light.value < 0                                ? LayerKind::kSubtract
+                                                                            : LayerKind::kAdd;
+    deposit(shares, light.colour, light.style, kind, light.takes_dirt);
+  }
+
+  void add(const SkyBeam& beam) {
+    if (is_flat_ && glm::dot(flat_normal_, beam.towards_sky) <= 0) return;
+    lit_luxels_.clear();
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      unshadowed_[i] = beam.value * angle_factor(beam.angle_scale, glm::dot(normal_of(i), beam.towards_sky));
+      if (unshadowed_[i] != 0 && hidden_[i] == 0) lit_luxels_.push_back(static_cast<std::uint32_t>(i));
+    }
+    if (lit_luxels_.empty()) return;
+    const auto shares = filter_.shares(lit_luxels_, is_rough(std::abs(beam.value)),
+                                       [&](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
+                                         if (is_in_sky_)
+                                           input_.scene.towards_void(points, beam.towards_sky, out);
+                                         else
+                                           input_.scene.towards_sky(points, beam.towards_sky, out);
+                                       });
+    deposit(shares, beam.colour, beam.style, beam.value < 0 ? LayerKind::kSubtract : LayerKind::kAdd,
+            beam.takes_dirt);
+  }
+
+  FaceLight take() && {
+    for (LightLayer& layer : light_.layers) fill_hidden(grid_.width, grid_.height, hidden_, layer.samples);
+    return std::move(light_);
+  }
+
+ private:
+  void set_normals() {
+    normals_.reserve(places_.size());
+    for (int row = 0; row < grid_.height; ++row)
+      for (int column = 0; column < grid_.width; ++column)
+        normals_.push_back(input_.phong.at(
+            grid_, grid_.origin_world + grid_.column_step * double(column) + grid_.row_step * double(row)));
+  }
+  const math::Vec3& normal_of(std::size_t luxel) const { return is_flat_ ? flat_normal_ : normals_[luxel]; }
+  bool is_rough(float brightest) const { return brightest * input_.settings.range < kRoughBelow; }
+
+  bool may_reach(const LightSource& light) const {
+    const float reach = reach_of(light) + bounds_.radius;
+    const math::Vec3 way = light.origin_world - bounds_.middle;
+    if (glm::dot(way, way) > reach * reach) return false;
+    return !is_flat_ || glm::dot(flat_normal_, light.origin_world - places_[0]) > -bounds_.radius;
+  }
+
+  // Without shadows and dirt.
+  float value_of(const LightSource& light, std::size_t luxel) const {
+    const math::Vec3 way = light.origin_world - places_[luxel];
+    const float facing = glm::dot(way, normal_of(luxel));
+    if (facing <= 0) return 0;
+    const float distance = glm::length(way);
+    float value = value_at(light, distance);
+    if (std::abs(value) <= kLightGate) return 0;
+    value *= angle_factor(light.angle_scale, facing / distance);
+    return light.cone ? value * cone_factor(*light.cone, way / distance) : value;
+  }
+
+  void deposit(std::span<const math::Vec3> shares, const math::Vec3& colour, std::uint8_t style,
+               LayerKind kind, bool takes_dirt) {
+    if (std::all_of(shares.begin(), shares.end(),
+                    [](const math::Vec3& share) { return share == math::Vec3(0.0f); }))
+      return;
+    std::vector<math::Vec3>& samples = light_.layer(style, kind, places_.size()).samples;
+    const bool dirty = takes_dirt && !light_.dirt.empty();
+    for (std::size_t i = 0; i < lit_luxels_.size(); ++i) {
+      const std::uint32_t luxel = lit_luxels_[i];
+      const float value = std::abs(unshadowed_[luxel]) * (dirty ? light_.dirt[luxel] : 1);
+      const math::Vec3 arriving = colour * shares[i] * value;
+      samples[luxel] =
+          kind == LayerKind::kRaise ? glm::max(samples[luxel], arriving) : samples[luxel] + arriving;
+    }
+  }
+
+  const DirectLightInput& input_;
+  LightGrid grid_;
+  ShadowFilter filter_;
+  std::span<const math::Vec3> places_;
+  std::span<const std::uint8_t> hidden_;
+  Sphere bounds_;
+  math::Vec3 flat_normal_;
+  bool is_flat_, is_in_sky_;
+  std::vector<math::Vec3> normals_;
+  std::vector<float> unshadowed_;  // by luxel, of the light at hand
+  std::vector<std::uint32_t> lit_luxels_;
+  FaceLight light_;
+};
+
+}  // namespace
+
+FaceLight direct_light_of(const DirectLightInput& input, std::size_t face) {
+  FaceLighter lighter(input, face);
+  if (!input.lit.keys_of(face).ignores_light) {
+    for (const LightSource& light : input.lights) lighter.add(light);
+    if (input.scene.has_sky())
+      for (const SkyBeam& beam : input.beams) lighter.add(beam);
+  }
+  return std::move(lighter).take();
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,138 @@
+#include "compiler/light/light_maps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace temblor::compiler {
+namespace {
+
+constexpr float kMostStored = 255;
+
+struct StyledSamples {
+  std::uint8_t style = 0;
+  std::vector<std::uint8_t> rgb, grey;
+  std::size_t brightness = 0;  // sum of rgb
+};
+
+float brightest_of(const math::Vec3& colour) {
+  return std::max({colour.x, colour.y, colour.z});
+}
+
+// The light of one style in the lights' own measure.
+std::vector<math::Vec3> sum_of(const FaceLight& light, std::uint8_t style, std::size_t luxels) {
+  const LightLayer* sum = light.find(style, LayerKind::kAdd);
+  return sum != nullptr ? sum->samples : std::vector<math::Vec3>(luxels, math::Vec3(0.0f));
+}
+
+// Style 0's least light: the greater of the level's and the face's own.
+void raise_to_min_light(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
+                        std::vector<math::Vec3>& io_samples) {
+  const math::Vec3 level = settings.min_light_colour * settings.min_light;
+  const math::Vec3 own =
+      math::Vec3(keys.min_light_colour[0], keys.min_light_colour[1], keys.min_light_colour[2]) *
+      keys.min_light;
+  const math::Vec3 least = glm::max(level, own);
+  const bool dirty = settings.min_light_dirt && !light.dirt.empty();
+  for (std::size_t i = 0; i < io_samples.size(); ++i)
+    io_samples[i] = glm::max(io_samples[i], least * (dirty ? light.dirt[i] : 1));
+}
+
+// From the lights' measure to 0..255; what is too bright keeps its hue.
+math::Vec3 stored(const LightSettings& settings, math::Vec3 light) {
+  light = glm::max(light, math::Vec3(0.0f));
+  const float brightest = brightest_of(light);
+  if (settings.max_light > 0 && brightest > settings.max_light) light *= settings.max_light / brightest;
+  light *= settings.range;
+  if (settings.gamma != 1)
+    for (int channel = 0; channel < 3; ++channel)
+      light[channel] = std::pow(light[channel] / kMostStored, 1 / settings.gamma) * kMostStored;
+  const float too_bright = brightest_of(light);
+  return too_bright > kMostStored ? light * (kMostStored / too_bright) : light;
+}
+
+std::uint8_t rounded(float value) {
+  return static_cast<std::uint8_t>(std::clamp(value + 0.5f, 0.0f, kMostStored));
+}
+
+StyledSamples samples_of(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
+                         std::uint8_t style, std::size_t luxels) {
+  std::vector<math::Vec3> samples = sum_of(light, style, luxels);
+  if (style == 0) raise_to_min_light(settings, keys, light, samples);
+  if (const LightLayer* raise = light.find(style, LayerKind::kRaise))
+    for (std::size_t i = 0; i < luxels; ++i) samples[i] = glm::max(samples[i], raise->samples[i]);
+  if (const LightLayer* less = light.find(style, LayerKind::kSubtract))
+    for (std::size_t i = 0; i < luxels; ++i) samples[i] -= less->samples[i];
+  StyledSamples result;
+  result.style = style;
+  for (const math::Vec3& sample : samples) {
+    const math::Vec3 bytes = stored(settings, sample);
+    for (int channel = 0; channel < 3; ++channel) {
+      result.rgb.push_back(rounded(bytes[channel]));
+      result.brightness += result.rgb.back();
+    }
+    result.grey.push_back(rounded(brightest_of(bytes)));
+  }
+  return result;
+}
+
+// Of at most four styles, the lowest first.
+std::vector<StyledSamples> styles_of(const LightSettings& settings, const SurfaceKeys& keys,
+                                     const FaceLight& light, std::size_t luxels, std::size_t& io_dropped) {
+  std::array<bool, 256> used{};
+  used[0] = true;
+  for (const LightLayer& layer : light.layers) used[layer.style] = true;
+  std::vector<StyledSamples> styles;
+  for (std::size_t style = 0; style < used.size(); ++style) {
+    if (!used[style]) continue;
+    StyledSamples samples = samples_of(settings, keys, light, static_cast<std::uint8_t>(style), luxels);
+    if (samples.brightness > 0) styles.push_back(std::move(samples));
+  }
+  constexpr std::size_t kMostStyles = 4;
+  if (styles.size() <= kMostStyles) return styles;
+  io_dropped += styles.size() - kMostStyles;
+  std::stable_sort(styles.begin(), styles.end(),
+                   [](const auto& a, const auto& b) { return a.brightness > b.brightness; });
+  styles.resize(kMostStyles);
+  std::sort(styles.begin(), styles.end(), [](const auto& a, const auto& b) { return a.style < b.style; });
+  return styles;
+}
+
+}  // namespace
+
+PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
+                            const std::vector<FaceLight>& light, formats::Bsp& io_bsp,
+                            Warnings& io_warnings) {
+  PackedLight packed;
+  io_bsp.lighting.clear();
+  std::size_t dropped = 0;
+  for (std::size_t number = 0; number < io_bsp.faces.size(); ++number) {
+    formats::BspFace& face = io_bsp.faces[number];
+    face.styles = {255, 255, 255, 255};
+    face.light_offset = -1;
+    if (!lit.gets_light[number]) continue;
+    const world::Face& shape = lit.level->faces[number];
+    const std::size_t luxels =
+        static_cast<std::size_t>(shape.light_width()) * static_cast<std::size_t>(shape.light_height());
+    const auto styles = styles_of(settings, lit.keys_of(number), light[number], luxels, dropped);
+    ++(styles.empty() ? packed.dark_faces : packed.lit_faces);
+    if (styles.empty()) continue;
+    face.light_offset = static_cast<std::int32_t>(io_bsp.lighting.size());
+    for (std::size_t i = 0; i < styles.size(); ++i) {
+      face.styles[i] = styles[i].style;
+      io_bsp.lighting.insert(io_bsp.lighting.end(), styles[i].grey.begin(), styles[i].grey.end());
+      packed.lit.samples.insert(packed.lit.samples.end(), styles[i].rgb.begin(), styles[i].rgb.end());
+    }
+  }
+  for (std::size_t i = 0; i + 2 < packed.lit.samples.size() && !packed.coloured; i += 3)
+    packed.coloured = packed.lit.samples[i] != packed.lit.samples[i + 1] ||
+                      packed.lit.samples[i] != packed.lit.samples[i + 2];
+  if (dropped > 0)
+    io_warnings.push_back({"more than four light styles on a face",
+                           fmt::format("{} styles, the darkest of their faces, were left out", dropped)});
+  return packed;
+}
+
+}  // namespace temblor::compiler

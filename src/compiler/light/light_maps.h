@@ -1,0 +1,28 @@
+// From worked-out light to the bytes of a level: least lights, negative lights, range, styles.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "compiler/light/face_light.h"
+#include "compiler/light/lit_level.h"
+#include "compiler/light/settings.h"
+#include "compiler/report.h"
+#include "formats/bsp.h"
+#include "formats/lit.h"
+
+namespace temblor::compiler {
+
+struct PackedLight {
+  std::size_t lit_faces = 0, dark_faces = 0;
+  bool coloured = false;
+  formats::Lit lit;  // red, green, blue for each grey sample, coloured or not
+};
+
+// Writes styles and light_offset of every face, in their order, and `lighting`: for each face its styles one
+// after the other, the lowest first. A style without any light is left out; of more than four the brightest
+// stay (a warning counts the rest). `light`: by face.
+PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
+                            const std::vector<FaceLight>& light, formats::Bsp& io_bsp, Warnings& io_warnings);
+
+}  // namespace temblor::compiler

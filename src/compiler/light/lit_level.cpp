@@ -1,0 +1,154 @@
+#include "compiler/light/lit_level.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "base/text.h"
+#include "world/face_at.h"
+
+namespace temblor::compiler {
+namespace {
+
+constexpr std::int32_t kFlagNoLight = 1;
+
+std::optional<std::size_t> shown_model(const formats::Entity& entity) {
+  const std::string_view name = entity.find("model").value_or("");
+  std::size_t number = 0;
+  if (!name.starts_with('*')) return std::nullopt;
+  const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
+  return error == std::errc{} ? std::optional<std::size_t>(number) : std::nullopt;
+}
+
+// Textures of brushes that are there for the game alone.
+bool is_never_drawn(std::string_view texture) {
+  constexpr std::array<std::string_view, 6> kNames{"trigger", "clip", "skip", "hint", "hintskip", "origin"};
+  return std::any_of(kNames.begin(), kNames.end(),
+                     [&](std::string_view name) { return base::equal_ignoring_case(name, texture); });
+}
+
+bool may_be_lit(const world::Level& level, const world::Face& face, std::int32_t texinfo_flags) {
+  const bool sky = level.texture(face.texture).kind == world::TextureKind::kSky;
+  return !sky && !is_never_drawn(level.texture(face.texture).name) && (texinfo_flags & kFlagNoLight) == 0 &&
+         face.surfedge_count >= 3;
+}
+
+// The share of light that an ordinary texel lets through: tinted by nothing, as glass is drawn by games.
+math::Vec3 passes(const SurfaceKeys& keys) {
+  return math::Vec3(1 - keys.light_alpha);
+}
+
+SieveSurface sieve_of(const LitLevel& lit, std::size_t number) {
+  const world::Level& level = *lit.level;
+  const world::Face& face = level.faces[number];
+  const world::Texture& texture = level.texture(face.texture);
+  const world::TextureAxes& axes = level.texture_axes[face.axes];
+  const math::Vec3& offset = lit.offset_of(number);
+  SieveSurface sieve;
+  sieve.normal = math::Vec3(world::plane_of(level, face).normal);
+  sieve.s_axis = axes.s_axis;
+  sieve.t_axis = axes.t_axis;
+  sieve.s_offset = axes.s_offset - glm::dot(offset, axes.s_axis);
+  sieve.t_offset = axes.t_offset - glm::dot(offset, axes.t_axis);
+  sieve.width = texture.width;
+  sieve.height = texture.height;
+  if (texture.kind == world::TextureKind::kCutout) sieve.texels = texture.mips[0];
+  sieve.passes = passes(lit.keys_of(number));
+  return sieve;
+}
+
+// A face as a fan, its vertices moved to where its model stands.
+void add_fan(const LitLevel& lit, std::size_t number, std::uint32_t first_vertex, std::uint32_t surface,
+             std::vector<OccluderTriangle>& io_triangles) {
+  const world::Level& level = *lit.level;
+  const world::Face& face = level.faces[number];
+  const auto vertex = [&](std::uint32_t i) {
+    return first_vertex + level.surfedge_start(std::size_t{face.first_surfedge} + i);
+  };
+  for (std::uint32_t i = 2; i < face.surfedge_count; ++i)
+    io_triangles.push_back({{vertex(0), vertex(i - 1), vertex(i)}, surface});
+}
+
+void add_occluder(const LitLevel& lit, std::size_t number, std::uint32_t first_vertex,
+                  Occluders& io_occluders) {
+  const world::Level& level = *lit.level;
+  const world::Face& face = level.faces[number];
+  const SurfaceKeys& keys = lit.keys_of(number);
+  const world::TextureKind kind = level.texture(face.texture).kind;
+  if (kind == world::TextureKind::kSky) {
+    if (lit.model_of_face[number] != 0) return;
+    const auto surface = static_cast<std::uint32_t>(io_occluders.sky_normals.size());
+    io_occluders.sky_normals.emplace_back(world::plane_of(level, face).normal);
+    add_fan(lit, number, first_vertex, surface, io_occluders.skies);
+  } else if (kind == world::TextureKind::kLiquid || !keys.casts_shadow) {
+    return;
+  } else if (kind == world::TextureKind::kCutout || keys.light_alpha < 1) {
+    const auto surface = static_cast<std::uint32_t>(io_occluders.sieve_surfaces.size());
+    io_occluders.sieve_surfaces.push_back(sieve_of(lit, number));
+    add_fan(lit, number, first_vertex, surface, io_occluders.sieves);
+  } else {
+    add_fan(lit, number, first_vertex, static_cast<std::uint32_t>(number), io_occluders.opaque);
+  }
+}
+
+}  // namespace
+
+std::vector<math::Vec3d> LitLevel::corners_world(std::size_t face) const {
+  const world::Face& shape = level->faces[face];
+  std::vector<math::Vec3d> corners;
+  corners.reserve(shape.surfedge_count);
+  for (std::uint32_t i = 0; i < shape.surfedge_count; ++i)
+    corners.push_back(
+        math::Vec3d(level->vertices[level->surfedge_start(std::size_t{shape.first_surfedge} + i)]) +
+        math::Vec3d(offset_of(face)));
+  return corners;
+}
+
+base::Result<LitLevel> make_lit_level(formats::Bsp bsp, FaceKeys keys) {
+  CHECK(keys.of_face.size() == bsp.faces.size() && !keys.keys.empty());
+  LitLevel lit;
+  lit.keys = std::move(keys);
+  lit.gets_light.resize(bsp.faces.size());
+  std::vector<std::int32_t> texinfo_flags;
+  texinfo_flags.reserve(bsp.faces.size());
+  for (const formats::BspFace& face : bsp.faces) texinfo_flags.push_back(bsp.texinfos[face.texinfo].flags);
+  TRY(lit.level, world::make_level(std::move(bsp), "level to light"));
+  const world::Level& level = *lit.level;
+  for (std::size_t i = 0; i < level.faces.size(); ++i)
+    lit.gets_light[i] = may_be_lit(level, level.faces[i], texinfo_flags[i]);
+  lit.model_of_face.assign(level.faces.size(), 0);
+  for (std::size_t model = 1; model < level.models.size(); ++model) {
+    const world::Model& faces = level.models[model];
+    for (std::uint32_t i = 0; i < faces.face_count; ++i)
+      lit.model_of_face[faces.first_face + i] = static_cast<std::uint32_t>(model);
+  }
+  lit.offset_of_model.assign(level.models.size(), math::Vec3(0.0f));
+  for (const formats::Entity& entity : level.entities)
+    if (const auto model = shown_model(entity); model && *model < level.models.size())
+      lit.offset_of_model[*model] = entity.find_vec3("origin").value_or(math::Vec3(0.0f));
+  return lit;
+}
+
+Occluders occluders_of(const LitLevel& lit) {
+  const world::Level& level = *lit.level;
+  Occluders occluders;
+  occluders.vertices = level.vertices;
+  for (std::size_t model = 0; model < level.models.size(); ++model) {
+    const world::Model& shape = level.models[model];
+    std::uint32_t first_vertex = 0;
+    // Vertices are shared within a model, so that no light gets through between its faces.
+    if (lit.offset_of_model[model] != math::Vec3(0.0f)) {
+      first_vertex = static_cast<std::uint32_t>(occluders.vertices.size());
+      for (const math::Vec3& vertex : level.vertices)
+        occluders.vertices.push_back(vertex + lit.offset_of_model[model]);
+    }
+    for (std::uint32_t i = 0; i < shape.face_count; ++i)
+      add_occluder(lit, std::size_t{shape.first_face} + i, first_vertex, occluders);
+  }
+  return occluders;
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,317 @@
+// Method: rays go to Embree sixteen at a time, neighbours together, as most of them run the same way.
+// What lets some light through is a geometry of its own with a filter: it takes down how much is lost and
+// sends the ray on. Losses are added as whole numbers, so that their order does not matter.
+#include "compiler/light/ray_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "compiler/light/embree.h"
+
+namespace temblor::compiler {
+namespace {
+
+constexpr std::size_t kLanes = 16;
+constexpr float kLossOfNone = 65536;  // steps for each factor of e
+constexpr float kLeastShare = 1.0f / 1024;
+constexpr std::uint8_t kHole = 255;  // the palette index that is not drawn
+
+struct ReleaseDevice {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct ReleaseScene {
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
+using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
+
+struct Losses {
+  std::array<std::array<std::int32_t, 3>, kLanes> lane{};
+};
+// Embree hands the first member on to filters.
+struct FilteringContext {
+  EmbreeContext embree;
+  Losses losses;
+};
+
+std::uint32_t wrapped_texel(float coordinate, std::uint32_t size) {
+  const auto texel = static_cast<std::int64_t>(std::floor(coordinate)) % std::int64_t{size};
+  return static_cast<std::uint32_t>(texel < 0 ? texel + std::int64_t{size} : texel);
+}
+
+bool has_hole_at(const SieveSurface& surface, const math::Vec3& point) {
+  if (surface.texels.empty()) return false;
+  const std::uint32_t s = wrapped_texel(glm::dot(point, surface.s_axis) + surface.s_offset, surface.width);
+  const std::uint32_t t = wrapped_texel(glm::dot(point, surface.t_axis) + surface.t_offset, surface.height);
+  return surface.texels[std::size_t{t} * surface.width + s] == kHole;
+}
+
+// The share that passes at a point, along a direction.
+math::Vec3 share_through(const SieveSurface& surface, const math::Vec3& point, const math::Vec3& direction) {
+  if (has_hole_at(surface, point)) return math::Vec3(1.0f);
+  const bool blocks = surface.passes == math::Vec3(0.0f);
+  // A pane has two sides, and is to count once.
+  if (!blocks && glm::dot(direction, surface.normal) > 0) return math::Vec3(1.0f);
+  return surface.passes;
+}
+
+struct SkySet {
+  std::vector<OccluderTriangle> triangles;
+  std::vector<math::Vec3> normals;
+};
+
+math::Vec3 direction_of(const RTCFilterFunctionNArguments& arguments, unsigned lane) {
+  const unsigned lanes = arguments.N;
+  return {RTCRayN_dir_x(arguments.ray, lanes, lane), RTCRayN_dir_y(arguments.ray, lanes, lane),
+          RTCRayN_dir_z(arguments.ray, lanes, lane)};
+}
+
+struct SieveSet {
+  std::vector<OccluderTriangle> triangles;
+  std::vector<SieveSurface> surfaces;
+};
+
+void pass_sieves(const RTCFilterFunctionNArguments* arguments) {
+  const auto& sieves = *static_cast<const SieveSet*>(arguments->geometryUserPtr);
+  auto& losses = reinterpret_cast<FilteringContext*>(arguments->context)->losses;
+  const unsigned lanes = arguments->N;
+  for (unsigned i = 0; i < lanes; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const unsigned triangle = RTCHitN_primID(arguments->hit, lanes, i);
+    const math::Vec3 direction = direction_of(*arguments, i);
+    const math::Vec3 origin(RTCRayN_org_x(arguments->ray, lanes, i), RTCRayN_org_y(arguments->ray, lanes, i),
+                            RTCRayN_org_z(arguments->ray, lanes, i));
+    const math::Vec3 point = origin + direction * RTCRayN_tfar(arguments->ray, lanes, i);
+    const SieveSurface& surface = sieves.surfaces[sieves.triangles[triangle].surface];
+    const math::Vec3 share = share_through(surface, point, direction);
+    if (std::max({share.x, share.y, share.z}) < kLeastShare) continue;  // stays hit
+    auto& lost = losses.lane[RTCRayN_id(arguments->ray, lanes, i)];
+    for (int channel = 0; channel < 3; ++channel)
+      lost[static_cast<std::size_t>(channel)] -= static_cast<std::int32_t>(
+          std::lround(std::log(std::max(share[channel], kLeastShare)) * kLossOfNone));
+    arguments->valid[i] = 0;
+  }
+}
+
+// From behind, sky is not seen; often another face of it, which is, lies in the same plane.
+void turn_down_back_sides(const RTCFilterFunctionNArguments* arguments) {
+  const auto& skies = *static_cast<const SkySet*>(arguments->geometryUserPtr);
+  const unsigned lanes = arguments->N;
+  for (unsigned i = 0; i < lanes; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const unsigned triangle = RTCHitN_primID(arguments->hit, lanes, i);
+    const math::Vec3& normal = skies.normals[skies.triangles[triangle].surface];
+    if (glm::dot(direction_of(*arguments, i), normal) >= 0) arguments->valid[i] = 0;
+  }
+}
+
+math::Vec3 share_after(const std::array<std::int32_t, 3>& lost) {
+  if (lost == std::array<std::int32_t, 3>{}) return math::Vec3(1.0f);
+  math::Vec3 share;
+  for (int channel = 0; channel < 3; ++channel)
+    share[channel] = std::exp(static_cast<float>(-lost[static_cast<std::size_t>(channel)]) / kLossOfNone);
+  return share;
+}
+
+struct Filter {
+  void* data = nullptr;
+  RTCFilterFunctionN occluded = nullptr, intersected = nullptr;
+};
+
+void add_triangles(RTCDevice device, RTCScene scene, std::span<const math::Vec3> vertices,
+                   std::span<const OccluderTriangle> triangles, const Filter& filter) {
+  if (triangles.empty()) return;
+  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  // Embree reads 16 bytes at each vertex: its own buffer has the room behind the last one.
+  void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                            sizeof(math::Vec3), vertices.size());
+  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                          sizeof(std::uint32_t) * 3, triangles.size());
+  if (positions != nullptr && indices != nullptr) {
+    std::copy(vertices.begin(), vertices.end(), static_cast<math::Vec3*>(positions));
+    auto* corner = static_cast<std::uint32_t*>(indices);
+    for (const OccluderTriangle& triangle : triangles)
+      corner = std::copy_n(triangle.corners.begin(), 3, corner);
+  }
+  rtcSetGeometryUserData(geometry, filter.data);
+  if (filter.occluded != nullptr) rtcSetGeometryOccludedFilterFunction(geometry, filter.occluded);
+  if (filter.intersected != nullptr) rtcSetGeometryIntersectFilterFunction(geometry, filter.intersected);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+Scene make_scene(RTCDevice device) {
+  Scene scene(rtcNewScene(device));
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  return scene;
+}
+
+void set_lane(RTCRay16& io_rays, std::size_t lane, const math::Vec3& origin, const math::Vec3& direction,
+              float reach) {
+  io_rays.org_x[lane] = origin.x;
+  io_rays.org_y[lane] = origin.y;
+  io_rays.org_z[lane] = origin.z;
+  io_rays.dir_x[lane] = direction.x;
+  io_rays.dir_y[lane] = direction.y;
+  io_rays.dir_z[lane] = direction.z;
+  io_rays.tnear[lane] = 0;
+  io_rays.tfar[lane] = reach;
+  io_rays.time[lane] = 0;
+  io_rays.mask[lane] = ~0u;
+  io_rays.id[lane] = static_cast<unsigned>(lane);
+  io_rays.flags[lane] = 0;
+}
+
+// Lanes behind `count` hold some valid ray: Embree looks at them though they do not take part.
+void fill_lanes(RTCRay16& io_rays, std::size_t count) {
+  for (std::size_t i = count; i < kLanes; ++i) set_lane(io_rays, i, math::Vec3(0.0f), math::Vec3(0, 0, 1), 0);
+}
+
+// Lanes of -1 take part.
+struct alignas(64) LaneMask {
+  std::array<int, kLanes> lane{};
+  bool any() const {
+    return std::any_of(lane.begin(), lane.end(), [](int value) { return value != 0; });
+  }
+};
+
+LaneMask first_lanes(std::size_t count) {
+  LaneMask mask;
+  std::fill_n(mask.lane.begin(), count, -1);
+  return mask;
+}
+
+constexpr float kToTheSky = 1 << 26;  // longer than any level is wide
+
+}  // namespace
+
+struct RayScene::Scenes {
+  Device device;
+  Scene blockers, opaque, sky;
+  SieveSet sieves;
+  SkySet skies;
+  std::vector<OccluderTriangle> opaque_triangles;
+
+  // Shares of the rays that `mask` names; the others' are left alone.
+  void shares(const LaneMask& mask, RTCRay16& io_rays, math::Vec3* out_share) const {
+    FilteringContext context;
+    init_context(context.embree);
+    context.losses = {};
+    occluded16(mask.lane.data(), blockers.get(), context.embree, io_rays);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      if (mask.lane[i] == 0) continue;
+      // Embree sets tfar to minus infinity where a ray is blocked.
+      out_share[i] = io_rays.tfar[i] < 0 ? math::Vec3(0.0f) : share_after(context.losses.lane[i]);
+    }
+  }
+};
+
+RayScene::RayScene(std::unique_ptr<Scenes> scenes) : scenes_(std::move(scenes)) {}
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+base::Result<RayScene> RayScene::make(Occluders occluders) {
+  auto scenes = std::make_unique<Scenes>();
+  // One instruction set on all machines that have it: others round differently.
+  scenes->device = Device(rtcNewDevice("isa=avx2"));
+  if (!scenes->device)
+    return base::error(base::ErrorCode::kUnsupported, "Embree does not run on this machine");
+  const RTCDevice device = scenes->device.get();
+  scenes->sieves = {std::move(occluders.sieves), std::move(occluders.sieve_surfaces)};
+  scenes->opaque_triangles = std::move(occluders.opaque);
+  scenes->skies = {std::move(occluders.skies), std::move(occluders.sky_normals)};
+  scenes->opaque = make_scene(device);
+  add_triangles(device, scenes->opaque.get(), occluders.vertices, scenes->opaque_triangles, {});
+  scenes->blockers = make_scene(device);
+  add_triangles(device, scenes->blockers.get(), occluders.vertices, scenes->opaque_triangles, {});
+  add_triangles(device, scenes->blockers.get(), occluders.vertices, scenes->sieves.triangles,
+                {&scenes->sieves, pass_sieves, nullptr});
+  scenes->sky = make_scene(device);
+  add_triangles(device, scenes->sky.get(), occluders.vertices, scenes->skies.triangles,
+                {&scenes->skies, nullptr, turn_down_back_sides});
+  for (const RTCScene scene : {scenes->opaque.get(), scenes->blockers.get(), scenes->sky.get()})
+    rtcCommitScene(scene);
+  if (rtcGetDeviceError(device) != RTC_ERROR_NONE)
+    return base::error(base::ErrorCode::kTooLarge, "no memory for the {} triangles that light meets",
+                       scenes->opaque_triangles.size());
+  return RayScene(std::move(scenes));
+}
+
+bool RayScene::has_sky() const {
+  return !scenes_->skies.triangles.empty();
+}
+
+void RayScene::towards_point(std::span<const math::Vec3> points, const math::Vec3& source_world,
+                             std::span<math::Vec3> out_share) const {
+  CHECK(points.size() == out_share.size());
+  RTCRay16 rays;
+  for (std::size_t first = 0; first < points.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, points.size() - first);
+    for (std::size_t i = 0; i < count; ++i)
+      set_lane(rays, i, points[first + i], source_world - points[first + i], 1);
+    fill_lanes(rays, count);
+    scenes_->shares(first_lanes(count), rays, out_share.data() + first);
+  }
+}
+
+void RayScene::towards_sky(std::span<const math::Vec3> points, const math::Vec3& direction,
+                           std::span<math::Vec3> out_share) const {
+  CHECK(points.size() == out_share.size());
+  RTCRayHit16 rays;
+  EmbreeContext context;
+  init_context(context);
+  for (std::size_t first = 0; first < points.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, points.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      set_lane(rays.ray, i, points[first + i], direction, kToTheSky);
+      rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+      out_share[first + i] = math::Vec3(0.0f);
+    }
+    fill_lanes(rays.ray, count);
+    LaneMask mask = first_lanes(count);
+    intersect16(mask.lane.data(), scenes_->sky.get(), context, rays);
+    for (std::size_t i = 0; i < count; ++i)
+      if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) mask.lane[i] = 0;
+    if (mask.any()) scenes_->shares(mask, rays.ray, out_share.data() + first);
+  }
+}
+
+void RayScene::towards_void(std::span<const math::Vec3> points, const math::Vec3& direction,
+                            std::span<math::Vec3> out_share) const {
+  CHECK(points.size() == out_share.size());
+  RTCRay16 rays;
+  for (std::size_t first = 0; first < points.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, points.size() - first);
+    for (std::size_t i = 0; i < count; ++i) set_lane(rays, i, points[first + i], direction, kToTheSky);
+    fill_lanes(rays, count);
+    scenes_->shares(first_lanes(count), rays, out_share.data() + first);
+  }
+}
+
+void RayScene::nearest(std::span<const math::Vec3> points, std::span<const math::Vec3> directions,
+                       float max_distance, std::span<RayHit> out_hits) const {
+  CHECK(points.size() == directions.size() && points.size() == out_hits.size());
+  RTCRayHit16 rays;
+  EmbreeContext context;
+  init_context(context);
+  for (std::size_t first = 0; first < points.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, points.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      set_lane(rays.ray, i, points[first + i], directions[first + i], max_distance);
+      rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    fill_lanes(rays.ray, count);
+    const LaneMask mask = first_lanes(count);
+    intersect16(mask.lane.data(), scenes_->opaque.get(), context, rays);
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool hit = rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+      out_hits[first + i] = {rays.ray.tfar[i],
+                             hit ? scenes_->opaque_triangles[rays.hit.primID[i]].surface : RayHit::kNone};
+    }
+  }
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,132 @@
+#include "compiler/light/sample_places.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "world/face_at.h"
+#include "world/visibility.h"
+
+namespace temblor::compiler {
+namespace {
+
+constexpr double kLift = 1;      // before the plane: what lies in the plane casts no shadow on it
+constexpr double kMargin = 0.5;  // inside the face: what stands on its edge does not touch the sample
+constexpr float kKeepAway = 1;   // from a wall that ends the way to a place
+constexpr double kLeastVolume = 1e-6;
+
+// The nearest point of the face that keeps kMargin from its edges, as far as the face is that wide.
+math::Vec3d inside_face(const LightGrid& grid, const math::Vec3d& point) {
+  const std::vector<math::Vec3d>& corners = grid.corners_world;
+  bool inside = true;
+  double nearest_squared = std::numeric_limits<double>::infinity();
+  math::Vec3d nearest = point;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const math::Vec3d start = corners[i], way = corners[(i + 1) % corners.size()] - start;
+    const double length_squared = glm::dot(way, way);
+    if (!(length_squared > 0)) continue;
+    // Clockwise from the front: the inside is to the right of every side.
+    const double outside = glm::dot(glm::cross(way, point - start), grid.normal) / std::sqrt(length_squared);
+    inside = inside && outside <= -kMargin;
+    const math::Vec3d candidate =
+        start + way * std::clamp(glm::dot(point - start, way) / length_squared, 0.0, 1.0);
+    const math::Vec3d away = point - candidate;
+    if (const double squared = glm::dot(away, away); squared < nearest_squared) {
+      nearest_squared = squared;
+      nearest = candidate;
+    }
+  }
+  if (inside) return point;
+  const math::Vec3d inwards = grid.middle_world - nearest;
+  const double length = glm::length(inwards);
+  return length > 0 ? nearest + inwards * std::min(1.0, 2 * kMargin / length) : nearest;
+}
+
+bool in_open(const world::Level& level, const math::Vec3d& place) {
+  return world::point_contents(level, math::Vec3(place)) != world::Contents::kSolid;
+}
+
+// `place` moved towards the face's middle until it is in the open; nothing where nothing is.
+std::optional<math::Vec3d> moved_into_open(const world::Level& level, const math::Vec3d& place,
+                                           const math::Vec3d& middle) {
+  constexpr std::array<double, 6> kTries{0.0, 0.02, 0.1, 0.25, 0.5, 1.0};
+  for (const double share : kTries)
+    if (const math::Vec3d moved = place + (middle - place) * share; in_open(level, moved)) return moved;
+  return std::nullopt;
+}
+
+// From `start` towards `end`, as far as nothing is in the way.
+math::Vec3d farthest_open(const RayScene& scene, const math::Vec3d& start, const math::Vec3d& end) {
+  const auto length = static_cast<float>(glm::length(end - start));
+  if (length <= 0) return end;
+  const math::Vec3 from(start), direction((end - start) / double{length});
+  RayHit hit;
+  scene.nearest({&from, 1}, {&direction, 1}, length + kKeepAway, {&hit, 1});
+  if (hit.surface == RayHit::kNone) return end;
+  return start + math::Vec3d(direction) * double{std::clamp(hit.distance - kKeepAway, 0.0f, length)};
+}
+
+void add_place(const LitLevel& lit, const RayScene& scene, const LightGrid& grid, const math::Vec3d& on_plane,
+               SamplePlaces& io_places) {
+  const world::Level& level = *lit.level;
+  const math::Vec3d lift = grid.normal * kLift;
+  const math::Vec3d inside = inside_face(grid, on_plane);
+  const std::optional<math::Vec3d> start = moved_into_open(level, inside + lift, grid.middle_world + lift);
+  math::Vec3d place = start.value_or(inside + lift);
+  if (start && inside != on_plane)
+    if (const math::Vec3d farther = farthest_open(scene, *start, on_plane + lift); in_open(level, farther))
+      place = farther;
+  io_places.points.emplace_back(place);
+  io_places.hidden.push_back(start ? 0 : 1);
+}
+
+}  // namespace
+
+LightGrid make_light_grid(const LitLevel& lit, std::size_t number) {
+  const world::Level& level = *lit.level;
+  const world::Face& face = level.faces[number];
+  const world::TextureAxes& axes = level.texture_axes[face.axes];
+  const world::FacePlane plane = world::plane_of(level, face);
+  LightGrid grid;
+  grid.face = number;
+  grid.width = face.light_width();
+  grid.height = face.light_height();
+  grid.normal = plane.normal;
+  grid.corners_world = lit.corners_world(number);
+  for (const math::Vec3d& corner : grid.corners_world)
+    grid.middle_world += corner / static_cast<double>(grid.corners_world.size());
+
+  const math::Vec3d s(axes.s_axis), t(axes.t_axis), n = plane.normal;
+  const double volume = glm::dot(glm::cross(s, t), n);
+  grid.origin_world = grid.middle_world;
+  if (std::abs(volume) < kLeastVolume * glm::length(s) * glm::length(t) || volume == 0) return grid;
+  // Columns of the inverse of the matrix with rows s, t, n: by how much a point moves for each of the three.
+  const math::Vec3d by_s = glm::cross(t, n) / volume, by_t = glm::cross(n, s) / volume,
+                    by_n = glm::cross(s, t) / volume;
+  constexpr double kTexels = 16;
+  grid.column_step = by_s * kTexels;
+  grid.row_step = by_t * kTexels;
+  grid.origin_world = math::Vec3d(lit.offset_of(number)) +
+                      by_s * (double(face.texture_mins[0]) - double{axes.s_offset}) +
+                      by_t * (double(face.texture_mins[1]) - double{axes.t_offset}) + by_n * plane.distance;
+  return grid;
+}
+
+SamplePlaces sample_places(const LitLevel& lit, const RayScene& scene, const LightGrid& grid, int per_luxel) {
+  SamplePlaces places;
+  const int columns = grid.width * per_luxel, rows = grid.height * per_luxel;
+  const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  places.points.reserve(count);
+  places.hidden.reserve(count);
+  // The middle of part i of the square around its luxel.
+  const auto along = [&](int i) { return (i + 0.5) / per_luxel - 0.5; };
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column)
+      add_place(lit, scene, grid,
+                grid.origin_world + grid.column_step * along(column) + grid.row_step * along(row), places);
+  return places;
+}
+
+}  // namespace temblor::compiler

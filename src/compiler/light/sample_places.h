@@ -1,0 +1,41 @@
+// Where the light of a face is measured: the grid of its light map, laid on its plane and kept in the open.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "compiler/light/lit_level.h"
+#include "compiler/light/ray_scene.h"
+#include "math/vec.h"
+
+namespace temblor::compiler {
+
+// The luxels of a face: column c, row r at origin_world + c * column_step + r * row_step, in its plane.
+struct LightGrid {
+  std::size_t face = 0;
+  int width = 0, height = 0;
+  math::Vec3d normal{0.0};
+  math::Vec3d origin_world{0.0}, column_step{0.0}, row_step{0.0};
+  std::vector<math::Vec3d> corners_world;
+  math::Vec3d middle_world{0.0};  // of the corners
+
+  std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+};
+
+// A face whose texture axes span no plane has all of its luxels in its middle.
+LightGrid make_light_grid(const LitLevel& lit, std::size_t face);
+
+struct SamplePlaces {
+  std::vector<math::Vec3> points;
+  std::vector<std::uint8_t> hidden;  // 1: within something solid, with nothing open to be found near
+};
+
+// The open place for every sample of the grid, `per_luxel` each way, row by row; a luxel stands for the
+// square around it, one step wide. A place lies a unit before the face. Where the grid sticks out of the
+// face, the place is the grid's own as far as one can go there from the face without meeting anything: so
+// neighbours in one plane measure the same light along their seam, and nothing is measured beyond a wall.
+SamplePlaces sample_places(const LitLevel& lit, const RayScene& scene, const LightGrid& grid, int per_luxel);
+
+}  // namespace temblor::compiler

@@ -1,0 +1,99 @@
+#include "compiler/light/shadow_filter.h"
+
+#include <algorithm>
+
+namespace temblor::compiler {
+
+ShadowSampling shadow_sampling(int extra) {
+  if (extra >= 4) return {2, 4};
+  if (extra >= 2) return {2, 2};
+  return {1, 2};
+}
+
+ShadowFilter::ShadowFilter(const LitLevel& lit, const RayScene& scene, const LightGrid& grid,
+                           ShadowSampling sampling)
+    : lit_(lit),
+      scene_(scene),
+      grid_(grid),
+      sampling_(sampling),
+      single_(sample_places(lit, scene, grid, 1)),
+      share_of_luxel_(grid.size()),
+      known_(grid.size()),
+      mixed_(grid.size()) {}
+
+const SamplePlaces& ShadowFilter::places(int per_luxel) {
+  if (per_luxel == 1) return single_;
+  for (const Places& finer : finer_)
+    if (finer.per_luxel == per_luxel) return finer.places;
+  const SamplePlaces rows = sample_places(lit_, scene_, grid_, per_luxel);
+  SamplePlaces places;
+  places.points.reserve(rows.points.size());
+  places.hidden.reserve(rows.points.size());
+  const int columns = grid_.width * per_luxel;
+  for (int luxel = 0; luxel < grid_.width * grid_.height; ++luxel)
+    for (int i = 0; i < per_luxel * per_luxel; ++i) {
+      const int column = luxel % grid_.width * per_luxel + i % per_luxel;
+      const int row = luxel / grid_.width * per_luxel + i / per_luxel;
+      const auto from = static_cast<std::size_t>(row * columns + column);
+      places.points.push_back(rows.points[from]);
+      places.hidden.push_back(rows.hidden[from]);
+    }
+  return finer_.emplace_back(Places{per_luxel, std::move(places)}).places;
+}
+
+void ShadowFilter::sample(std::span<const std::uint32_t> luxels, int per_luxel, ShareQuery query) {
+  const SamplePlaces& from = places(per_luxel);
+  const auto each = static_cast<std::size_t>(per_luxel) * static_cast<std::size_t>(per_luxel);
+  points_.clear();
+  for (const std::uint32_t luxel : luxels)
+    points_.insert(points_.end(), from.points.begin() + static_cast<std::ptrdiff_t>(luxel * each),
+                   from.points.begin() + static_cast<std::ptrdiff_t>((luxel + 1) * each));
+  answers_.resize(points_.size());
+  query(points_, answers_);
+  for (std::size_t i = 0; i < luxels.size(); ++i) {
+    const std::size_t luxel = luxels[i];
+    math::Vec3 sum(0.0f), first(0.0f);
+    float count = 0;
+    bool mixed = false;
+    for (std::size_t k = 0; k < each; ++k) {
+      if (from.hidden[luxel * each + k] != 0) continue;
+      const math::Vec3& answer = answers_[i * each + k];
+      if (count == 0) first = answer;
+      mixed = mixed || answer != first;
+      sum += answer;
+      ++count;
+    }
+    // A luxel with an open middle may have all of its parts hidden in corners.
+    if (count > 0) share_of_luxel_[luxel] = sum / count;
+    mixed_[luxel] = mixed;
+  }
+}
+
+bool ShadowFilter::is_at_edge(std::uint32_t luxel) const {
+  if (mixed_[luxel] != 0) return true;
+  const int column = static_cast<int>(luxel) % grid_.width, row = static_cast<int>(luxel) / grid_.width;
+  for (int y = std::max(0, row - 1); y <= std::min(grid_.height - 1, row + 1); ++y)
+    for (int x = std::max(0, column - 1); x <= std::min(grid_.width - 1, column + 1); ++x) {
+      const auto other = static_cast<std::size_t>(y * grid_.width + x);
+      if (known_[other] != 0 && share_of_luxel_[other] != share_of_luxel_[luxel]) return true;
+    }
+  return false;
+}
+
+std::span<const math::Vec3> ShadowFilter::shares(std::span<const std::uint32_t> luxels, bool rough,
+                                                 ShareQuery query) {
+  sample(luxels, rough ? 1 : sampling_.everywhere, query);
+  if (!rough && sampling_.at_edges > sampling_.everywhere) {
+    for (const std::uint32_t luxel : luxels) known_[luxel] = 1;
+    at_edges_.clear();
+    for (const std::uint32_t luxel : luxels)
+      if (is_at_edge(luxel)) at_edges_.push_back(luxel);
+    for (const std::uint32_t luxel : luxels) known_[luxel] = 0;
+    if (!at_edges_.empty()) sample(at_edges_, sampling_.at_edges, query);
+  }
+  result_.clear();
+  for (const std::uint32_t luxel : luxels) result_.push_back(share_of_luxel_[luxel]);
+  return result_;
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,62 @@
+// How much of a light each luxel of a face gets, without stair-steps along the edges of shadows.
+//
+// The filter is a box: a luxel's share is the mean over the square around it that it stands for. It depends
+// on the place alone, not on the face, so that neighbours in one plane agree along their seam. Most squares
+// lie all in the light or all in shadow: a few samples tell, and only where they, or those of neighbouring
+// luxels, disagree are all of them taken.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/function_ref.h"
+#include "compiler/light/sample_places.h"
+#include "math/vec.h"
+
+namespace temblor::compiler {
+
+// Samples each way in a luxel: everywhere, and at the edges of shadows.
+struct ShadowSampling {
+  int everywhere = 1, at_edges = 2;
+};
+// For LightOptions::extra of 1, 2, 4.
+ShadowSampling shadow_sampling(int extra);
+
+using ShareQuery =
+    base::FunctionRef<void(std::span<const math::Vec3> points, std::span<math::Vec3> out_share)>;
+
+// For one face; keeps its samples' places from one light to the next. Used by one thread.
+class ShadowFilter {
+ public:
+  ShadowFilter(const LitLevel& lit, const RayScene& scene, const LightGrid& grid, ShadowSampling sampling);
+
+  const SamplePlaces& luxel_places() const { return single_; }
+
+  // The shares of the luxels named by `luxels`, none of them hidden, in order; with `rough`, of one sample
+  // each. Valid until the next call.
+  std::span<const math::Vec3> shares(std::span<const std::uint32_t> luxels, bool rough, ShareQuery query);
+
+ private:
+  struct Places {
+    int per_luxel = 0;
+    SamplePlaces places;  // all samples of a luxel together
+  };
+  const SamplePlaces& places(int per_luxel);
+  void sample(std::span<const std::uint32_t> luxels, int per_luxel, ShareQuery query);
+  bool is_at_edge(std::uint32_t luxel) const;
+
+  const LitLevel& lit_;
+  const RayScene& scene_;
+  const LightGrid& grid_;
+  ShadowSampling sampling_;
+  SamplePlaces single_;
+  std::vector<Places> finer_;
+  std::vector<math::Vec3> points_, answers_;  // of the samples asked for
+  std::vector<math::Vec3> share_of_luxel_;    // of the whole grid
+  std::vector<std::uint8_t> known_, mixed_;   // of the whole grid
+  std::vector<std::uint32_t> at_edges_;
+  std::vector<math::Vec3> result_;
+};
+
+}  // namespace temblor::compiler

@@ -1,0 +1,40 @@
+// Light: from a level's geometry and the lights among its entities to the light maps on its faces.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "base/parallel_for.h"
+#include "base/result.h"
+#include "compiler/report.h"
+#include "compiler/surface_keys.h"
+#include "formats/bsp.h"
+#include "formats/lit.h"
+
+namespace temblor::compiler {
+
+// What the person at work asks for; what the level asks for is in its entities.
+struct LightOptions {
+  // Samples of a shadow for each sample of the light map, each way: 1, 2 or 4 (see light/shadow_filter.h).
+  int extra = 1;
+  bool fast = false;           // neither dirt nor bounces, a tenth of the rays to the sky
+  std::optional<int> bounces;  // instead of the level's own _bounce
+  int sky_rays = 100;          // about as many directions each for the sky's dome
+};
+
+struct LightSummary {
+  std::size_t lights = 0, lit_faces = 0, dark_faces = 0;
+  std::size_t samples = 0;  // bytes of grey light
+  bool coloured = false;    // `lit` then has samples, and the level the BSPX lump RGBLIGHTING
+  formats::Lit lit;
+};
+
+// Fills styles and light_offset of every face, `lighting`, and RGBLIGHTING where any light has a colour;
+// throws away whatever light there was. Gives switchable lights their "style" in the entity text. The bytes
+// do not depend on the number of threads. Fails on entity text that does not parse, on faces that no level
+// has, when `progress` says to stop (kUsage), and without Embree's memory; the level is then as it was.
+base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& face_keys,
+                                       const LightOptions& options, base::Jobs& io_jobs, Progress progress,
+                                       Warnings& io_warnings);
+
+}  // namespace temblor::compiler

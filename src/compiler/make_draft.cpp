@@ -1,0 +1,129 @@
+#include "compiler/make_draft.h"
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/bsp/cluster_portals.h"
+#include "compiler/bsp/expand_brush.h"
+#include "compiler/bsp/faces.h"
+#include "compiler/bsp/fill_outside.h"
+#include "compiler/bsp/leaf_portals.h"
+#include "compiler/bsp/level_brushes.h"
+#include "compiler/bsp/level_writer.h"
+#include "compiler/bsp/second_tree.h"
+#include "compiler/bsp/tree.h"
+
+namespace temblor::compiler {
+namespace {
+
+// A tree and what follows from it; of clip hulls the tree alone.
+struct Partition {
+  Tree tree;
+  LeafPortals portals;
+  std::vector<TreeFace> faces;
+  std::optional<Leak> leak;
+};
+
+bool are_one(const TreeLeaf& a, const TreeLeaf& b) {
+  return a.fill == b.fill && a.structure == b.structure && is_blocked(a.fill) && a.fill != Fill::kFence;
+}
+
+Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& level, bool is_world,
+                          const DraftOptions& options) {
+  std::vector<Brush> drawn;
+  std::copy_if(brushes.begin(), brushes.end(), std::back_inserter(drawn),
+               [](const Brush& b) { return b.is_drawn; });
+  Tree first = build_tree(drawn, level.planes, Cover::kLast);
+  const LeafPortals first_portals = make_leaf_portals(first, level.planes);
+  Partition made;
+  if (is_world && options.fill_outside)
+    made.leak = fill_outside(first, level.planes, first_portals, level.occupants_world);
+  const std::vector<TreeFace> faces = make_faces(first, first_portals.portals, drawn);
+  SecondTree second = make_second_tree(first, first_portals.portals, drawn, level.planes);
+  made.tree = std::move(second.tree);
+  made.portals = std::move(second.portals);
+  prune(made.tree, [](const TreeLeaf& a, const TreeLeaf& b) { return are_one(a, b); });
+  made.faces = place_faces(faces, made.tree, level.planes);
+  merge_faces(made.faces, level.planes);
+  subdivide_faces(made.faces, level.surfaces, options.subdivide_texels);
+  return made;
+}
+
+Partition partition_hull(std::span<const Brush> expanded, const LevelBrushes& level, bool is_world,
+                         const DraftOptions& options) {
+  Tree first = build_tree(expanded, level.planes, Cover::kAnySolid);
+  const LeafPortals first_portals = make_leaf_portals(first, level.planes);
+  Partition made;
+  if (is_world && options.fill_outside)
+    made.leak = fill_outside(first, level.planes, first_portals, level.occupants_world);
+  made.tree = make_second_tree(first, first_portals.portals, expanded, level.planes).tree;
+  prune(made.tree, [](const TreeLeaf& a, const TreeLeaf& b) { return a.fill == b.fill; });
+  return made;
+}
+
+Box box_of(std::span<const Brush> brushes) {
+  Box box;
+  for (const Brush& brush : brushes) {
+    if (brush.fill == Fill::kEmpty) continue;
+    box.add(brush.box.mins);
+    box.add(brush.box.maxs);
+  }
+  return box;
+}
+
+}  // namespace
+
+base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize texture_size,
+                                     const DraftOptions& options, base::Jobs& jobs, Warnings& io_warnings) {
+  TRY(LevelBrushes level, sort_brushes(map, texture_size, io_warnings));
+  const std::size_t models = level.models.size();
+  constexpr std::size_t kTrees = 1 + kHullBoxes.size();
+  // Planes are numbered here, one brush after another, so that jobs only read them.
+  std::vector<std::array<std::vector<Brush>, kHullBoxes.size()>> expanded(models);
+  for (std::size_t model = 0; model < models; ++model)
+    for (std::size_t hull = 0; hull < kHullBoxes.size(); ++hull)
+      for (const Brush& brush : level.models[model])
+        if (brush.clips) expanded[model][hull].push_back(expand(brush, kHullBoxes[hull], level.planes));
+  std::vector<Partition> parts(models * kTrees);
+  jobs.parallel_for(parts.size(), [&](std::size_t job) {
+    const std::size_t model = job / kTrees, hull = job % kTrees;
+    parts[job] = hull == 0 ? partition_drawn(level.models[model], level, model == 0, options)
+                           : partition_hull(expanded[model][hull - 1], level, model == 0, options);
+  });
+
+  DraftResult result;
+  LevelWriter writer(level.planes);
+  std::vector<std::uint32_t> leafs_of_world;
+
+  for (std::size_t model = 0; model < models; ++model) {
+    const Partition& drawn = parts[model * kTrees];
+    const std::vector<std::uint32_t> leafs =
+        writer.add_model(drawn.tree, drawn.portals.portals, drawn.faces, box_of(level.models[model]));
+    if (model == 0) leafs_of_world = leafs;
+
+    for (std::size_t hull = 1; hull < kTrees; ++hull)
+      writer.set_hull(hull, parts[model * kTrees + hull].tree);
+  }
+  const std::vector<std::uint32_t> surface_of_face = writer.surface_of_face();
+  Draft& draft = result.draft;
+  draft.bsp = std::move(writer).take();
+  draft.portals = make_cluster_portals(parts.front().tree, level.planes, leafs_of_world,
+                                       draft.bsp.leafs.size(), options.water_is_transparent);
+
+  for (const Surface& surface : level.surfaces) draft.bsp.texinfos.push_back(surface.texinfo);
+  for (std::size_t face = 0; face < draft.bsp.faces.size(); ++face) {
+    draft.bsp.faces[face].texinfo = surface_of_face[face];
+    draft.keys_of_face.push_back(level.surfaces[surface_of_face[face]].keys);
+  }
+  for (const std::string& texture : level.textures) draft.bsp.miptexes.emplace_back().name = texture;
+  draft.bsp.entities = formats::write_entities(level.entities);
+  draft.surface_keys = std::move(level.surface_keys);
+  if (const auto& leak = parts.front().leak)
+    result.leak =
+        LeakWay{level.entity_of_occupant[leak->entity],
+                std::string(map.entities[level.entity_of_occupant[leak->entity]].fields.classname()),
+                leak->way_world};
+  return result;
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,39 @@
+// The BSP stage: from map text to a level that lacks visibility, light and textures.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/parallel_for.h"
+#include "base/result.h"
+#include "compiler/draft.h"
+#include "compiler/report.h"
+#include "formats/map.h"
+
+namespace temblor::compiler {
+
+struct DraftOptions {
+  bool water_is_transparent = true;  // to visibility
+  double subdivide_texels = 240;  // of a lit face along its texture's axes; the most that engines of old draw
+  bool fill_outside = true;
+};
+
+// How a level that is not closed leaks: from an entity to the outside.
+struct LeakWay {
+  std::size_t entity;  // of the map
+  std::string classname;
+  std::vector<math::Vec3d> points_world;
+};
+
+struct DraftResult {
+  Draft draft;  // its textures are names without pictures
+  std::optional<LeakWay> leak;
+};
+
+// The same bytes whatever the number of threads. Errors: no worldspawn, no brush with a volume, a brush
+// without sides.
+base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize texture_size,
+                                     const DraftOptions& options, base::Jobs& jobs, Warnings& io_warnings);
+
+}  // namespace temblor::compiler

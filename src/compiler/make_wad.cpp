@@ -1,0 +1,52 @@
+#include "compiler/make_wad.h"
+
+#include <filesystem>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "base/text.h"
+#include "compiler/textures/texture_from_image.h"
+#include "compiler/textures/texture_sources.h"
+#include "formats/image.h"
+#include "formats/wad.h"
+
+namespace temblor::compiler {
+namespace {
+
+base::Result<base::ByteVector> make_lump(std::string_view name, base::Bytes png, const MipColours& colours) {
+  if (name.empty() || name.size() > kLevelNameChars)
+    return base::error(base::ErrorCode::kUsage, "\"{}\": a texture's name has 1 to {} characters",
+                       base::printable(name), kLevelNameChars);
+  TRY(const formats::Image image, formats::read_png(png));
+  TRY(const formats::WadTexture texture, texture_from_image(name, image, colours));
+  return formats::write_wad_texture(texture);
+}
+
+}  // namespace
+
+std::string texture_name_of_file(std::string_view file_name) {
+  std::string name = std::filesystem::path(file_name).stem().string();
+  if (name.starts_with('#')) name[0] = '*';
+  return name;
+}
+
+base::Result<base::ByteVector> make_wad(std::span<const PngFile> files, const formats::Palette& palette) {
+  const MipColours colours(palette);
+  std::map<std::string, std::string> file_of_name;
+  std::vector<base::ByteVector> contents;
+  contents.reserve(files.size());
+  std::vector<formats::WadLump> lumps;
+  for (const PngFile& file : files) {
+    std::string name = texture_name_of_file(file.name);
+    const auto [first, is_new] = file_of_name.try_emplace(texture_key(name), file.name);
+    if (!is_new)
+      return base::Error{base::ErrorCode::kUsage, "makes the same texture as " + first->second, file.name};
+    TRY(base::ByteVector lump, make_lump(name, file.bytes, colours).with_file(file.name));
+    contents.push_back(std::move(lump));
+    lumps.push_back({std::move(name), formats::kWadTexture, contents.back()});
+  }
+  return formats::write_wad(lumps);
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,164 @@
+// Names are gathered first: those asked for, then the other frames of their animations. Then each is read.
+#include "compiler/texture_set.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include "base/text.h"
+#include "compiler/textures/build_mips.h"
+#include "compiler/textures/texture_sources.h"
+
+namespace temblor::compiler {
+namespace {
+
+// Two sequences: the one an entity shows, and the one that it shows once it was used.
+constexpr std::array<std::string_view, 2> kFrameMarks{"0123456789", "abcdefghij"};
+
+bool is_frame(std::string_view key) {
+  return key.size() >= 2 && key[0] == '+' && std::ranges::any_of(kFrameMarks, [&](std::string_view marks) {
+           return marks.find(key[1]) != std::string_view::npos;
+         });
+}
+
+std::string frame_key(std::string_view key, char mark) {
+  std::string frame(key);
+  frame[1] = mark;
+  return frame;
+}
+
+// As much of a name from a map as a message of one line can bear.
+std::string quotable(std::string_view name) {
+  constexpr std::size_t kMaxChars = 40;
+  return fmt::format("\"{}{}\"", base::printable(name.substr(0, kMaxChars)),
+                     name.size() > kMaxChars ? "..." : "");
+}
+
+formats::BspMiptex checker(std::string_view name) {
+  constexpr std::uint32_t kSide = 64, kSquare = 8;
+  constexpr std::array<std::uint8_t, 2> kColours{0, 251};  // black and a full-bright red, to be noticed
+  formats::BspMiptex miptex{true, std::string(name.substr(0, kLevelNameChars)), kSide, kSide, {}};
+  for (unsigned k = 0; k < miptex.mips.size(); ++k)
+    for (std::uint32_t y = 0; y < kSide >> k; ++y)
+      for (std::uint32_t x = 0; x < kSide >> k; ++x)
+        miptex.mips[k].push_back(kColours[((x << k) / kSquare + (y << k) / kSquare) % kColours.size()]);
+  return miptex;
+}
+
+// A name as the map has it, and under which it goes.
+struct Wanted {
+  std::string name, key;
+};
+
+class TextureSetMaker {
+ public:
+  TextureSetMaker(std::span<const TextureSource> sources, const formats::Palette& palette,
+                  MipLevels mip_levels, Warnings& io_warnings)
+      : sources_(sources, palette, io_warnings),
+        source_count_(sources.size()),
+        palette_(palette),
+        mip_levels_(mip_levels),
+        warnings_(io_warnings) {}
+
+  TextureSet make(std::span<const std::string_view> names) {
+    for (const std::string_view name : names) want(name);
+    const std::size_t asked_for = wanted_.size();
+    for (std::size_t i = 0; i < asked_for; ++i)
+      if (is_frame(wanted_[i].key)) want_frames(std::string(wanted_[i].key));
+    for (const Wanted& wanted : wanted_) set_.miptexes.push_back(make_miptex(wanted));
+    return std::move(set_);
+  }
+
+ private:
+  void want(std::string_view name) {
+    std::string key = texture_key(name);
+    const auto [place, is_new] = set_.index.try_emplace(key, static_cast<std::uint32_t>(wanted_.size()));
+    if (is_new) {
+      wanted_.push_back({std::string(name), std::move(key)});
+    } else if (const std::string& first = wanted_[place->second].name;
+               !base::equal_ignoring_case(name, first)) {
+      warn("texture names collide", "{} and {} are one texture: a level has room for {} characters",
+           quotable(first), quotable(name), kLevelNameChars);
+    }
+  }
+
+  void want_frames(const std::string& key) {
+    for (const std::string_view marks : kFrameMarks) {
+      const auto is_there = [&](char mark) {
+        const std::string frame = frame_key(key, mark);
+        return sources_.has(frame) || set_.index.contains(frame);
+      };
+      const std::size_t last =
+          marks.size() -
+          static_cast<std::size_t>(std::find_if(marks.rbegin(), marks.rend(), is_there) - marks.rbegin());
+      for (const char mark : marks.substr(0, last)) {
+        if (is_there(mark))
+          want(frame_key(key, mark));
+        else
+          warn("animation has gaps", "{} is in none of the {} texture sources, but later frames are",
+               quotable(frame_key(key, mark)), source_count_);
+      }
+    }
+  }
+
+  formats::BspMiptex make_miptex(const Wanted& wanted) {
+    auto miptex = sources_.take(wanted.key, warnings_);
+    if (!miptex) {
+      if (!sources_.has(wanted.key))
+        warn("texture not found", "{} is in none of the {} texture sources", quotable(wanted.name),
+             source_count_);
+      return checker(wanted.name);
+    }
+    constexpr std::uint32_t kSideMultiple = 16;
+    if (miptex->width % kSideMultiple != 0 || miptex->height % kSideMultiple != 0)
+      warn("texture sides", "{} has {} x {} texels: engines expect multiples of {}", quotable(wanted.name),
+           miptex->width, miptex->height, kSideMultiple);
+    if (mip_levels_ == MipLevels::kBuilt || !has_all_mips(*miptex)) build_all_mips(*miptex);
+    return std::move(*miptex);
+  }
+
+  static bool has_all_mips(const formats::BspMiptex& miptex) {
+    for (std::size_t k = 0; k < miptex.mips.size(); ++k)
+      if (miptex.mips[k].size() != std::size_t{miptex.width >> k} * (miptex.height >> k)) return false;
+    return true;
+  }
+
+  void build_all_mips(formats::BspMiptex& io_miptex) {
+    if (!mip_colours_) mip_colours_.emplace(palette_);
+    io_miptex.mips = build_mips(std::move(io_miptex.mips[0]), io_miptex.width, io_miptex.height,
+                                io_miptex.name.starts_with('{'), *mip_colours_);
+  }
+
+  template <typename... Args>
+  void warn(const char* kind, fmt::format_string<Args...> format, Args&&... args) {
+    std::string what = fmt::format(format, std::forward<Args>(args)...);
+    if (warned_.insert(what).second) warnings_.push_back({kind, std::move(what)});
+  }
+
+  TextureSources sources_;
+  std::size_t source_count_;
+  const formats::Palette& palette_;
+  std::optional<MipColours> mip_colours_;
+  MipLevels mip_levels_;
+  Warnings& warnings_;
+  std::vector<Wanted> wanted_;
+  std::set<std::string> warned_;  // of the warnings: names and animations come up again and again
+  TextureSet set_;
+};
+
+}  // namespace
+
+std::optional<std::uint32_t> TextureSet::find(std::string_view name) const {
+  const auto found = index.find(texture_key(name));
+  return found == index.end() ? std::nullopt : std::optional(found->second);
+}
+
+TextureSet make_texture_set(std::span<const std::string_view> names, std::span<const TextureSource> sources,
+                            const formats::Palette& palette, MipLevels mip_levels, Warnings& io_warnings) {
+  return TextureSetMaker(sources, palette, mip_levels, io_warnings).make(names);
+}
+
+}  // namespace temblor::compiler

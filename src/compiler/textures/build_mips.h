@@ -1,0 +1,45 @@
+// The smaller mip levels of a texture, made from its largest.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "formats/nearest_colour.h"
+#include "formats/palette.h"
+
+namespace temblor::compiler {
+
+// The palette, and what of it a texel may become. Making one takes some ten milliseconds.
+struct MipColours {
+  explicit MipColours(const formats::Palette& game_palette)
+      : palette(game_palette),
+        dull(palette, 0, formats::kFirstFullbright),
+        bright(palette, formats::kFirstFullbright, formats::kTransparentIndex - formats::kFirstFullbright),
+        any(palette, 0, formats::kTransparentIndex) {}
+
+  formats::Palette palette;
+  formats::NearestColour dull, bright, any;
+};
+
+// Each texel is the mean of the four below it, given to the palette by error diffusion (Floyd and Steinberg,
+// "An Adaptive Algorithm for Spatial Greyscale", 1976), row by row from the left.
+//
+// The mean is taken of light, not of the palette's numbers, because that is what the eye does with texels too
+// small to be told apart: so a wall keeps its brightness where one mip level gives way to the next. A
+// channel's light is taken as its square, close to what displays do (2.2) and exact on every machine.
+//
+// A level's mean light, as a colour, stays within 2 + 48 / (its shorter side) of 255 of the largest level's,
+// where neither has holes or full-bright texels.
+//
+// A texel is full-bright only where at least half of its four are (then chosen among all colours; where all
+// four are, among the full-bright alone), never because the mean happens to lie near a full-bright colour.
+//
+// `mip0` has width * height indices. With holes, index 255 is transparent, and a texel is where at least
+// three of its four are; otherwise 255 is a full-bright colour, which is never chosen. Level k is (width >>
+// k) x (height >> k).
+std::array<std::vector<std::uint8_t>, 4> build_mips(std::vector<std::uint8_t> mip0, std::uint32_t width,
+                                                    std::uint32_t height, bool has_holes,
+                                                    const MipColours& colours);
+
+}  // namespace temblor::compiler

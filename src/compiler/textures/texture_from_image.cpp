@@ -1,0 +1,35 @@
+#include "compiler/textures/texture_from_image.h"
+
+#include <utility>
+
+namespace temblor::compiler {
+namespace {
+
+std::uint8_t index_of(std::uint32_t argb, bool has_holes, const MipColours& colours) {
+  const auto byte = [argb](int shift) { return static_cast<std::uint8_t>(argb >> shift); };
+  constexpr std::uint8_t kHalfOpaque = 128;
+  if (has_holes && byte(24) < kHalfOpaque) return formats::kTransparentIndex;
+  const formats::Rgb colour{byte(16), byte(8), byte(0)};
+  const std::uint8_t dull = colours.dull.find(colour);
+  if (colours.palette[dull] == colour) return dull;
+  const std::uint8_t bright = colours.bright.find(colour);
+  return colours.palette[bright] == colour ? bright : dull;
+}
+
+}  // namespace
+
+base::Result<formats::WadTexture> texture_from_image(std::string_view name, const formats::Image& image,
+                                                     const MipColours& colours) {
+  constexpr std::uint32_t kSideMultiple = 16;
+  if (image.width % kSideMultiple != 0 || image.height % kSideMultiple != 0)
+    return base::error(base::ErrorCode::kUsage, "{} x {} pixels: a texture's sides are multiples of {}",
+                       image.width, image.height, kSideMultiple);
+  const bool has_holes = name.starts_with('{');
+  std::vector<std::uint8_t> indices;
+  indices.reserve(image.pixels.size());
+  for (const std::uint32_t pixel : image.pixels) indices.push_back(index_of(pixel, has_holes, colours));
+  return formats::WadTexture{std::string(name), image.width, image.height,
+                             build_mips(std::move(indices), image.width, image.height, has_holes, colours)};
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,87 @@
+#include "compiler/textures/texture_sources.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "base/text.h"
+#include "formats/wad3_texture.h"
+#include "formats/wad_texture.h"
+
+namespace temblor::compiler {
+namespace {
+
+// The level's name for a texture, with the source's case.
+std::string level_name(std::string_view name) {
+  return std::string(name.substr(0, kLevelNameChars));
+}
+
+}  // namespace
+
+std::string texture_key(std::string_view name) {
+  return base::to_lower(name.substr(0, kLevelNameChars));
+}
+
+base::Result<TextureSources::Source> TextureSources::open(const TextureSource& source) const {
+  Source opened;
+  opened.name = source.name;
+  if (base::as_text(source.bytes).starts_with("WAD")) {
+    opened.is_wad3 = formats::is_wad3(source.bytes);
+    TRY(opened.lumps, formats::read_wad(source.bytes));
+  } else {
+    TRY(formats::Bsp bsp, formats::read_bsp(source.bytes));
+    opened.miptexes = std::move(bsp.miptexes);
+  }
+  return opened;
+}
+
+TextureSources::TextureSources(std::span<const TextureSource> sources, const formats::Palette& palette,
+                               Warnings& io_warnings)
+    : palette_(palette) {
+  for (const TextureSource& source : sources) {
+    auto opened = open(source);
+    if (!opened.ok()) {
+      io_warnings.push_back(
+          {"texture source cannot be read", fmt::format("{}: {}", source.name, opened.error().what)});
+      continue;
+    }
+    const std::uint8_t texture_type = opened->is_wad3 ? formats::kWad3Texture : formats::kWadTexture;
+    for (std::size_t i = 0; i < opened->lumps.size(); ++i)
+      if (opened->lumps[i].type == texture_type)
+        places_.try_emplace(texture_key(opened->lumps[i].name), Place{sources_.size(), i});
+    for (std::size_t i = 0; i < opened->miptexes.size(); ++i)
+      if (!opened->miptexes[i].mips[0].empty())
+        places_.try_emplace(texture_key(opened->miptexes[i].name), Place{sources_.size(), i});
+    sources_.push_back(std::move(opened).value());
+  }
+}
+
+base::Result<formats::BspMiptex> TextureSources::read(const Source& source, const formats::WadLump& lump) {
+  formats::WadTexture texture;
+  if (source.is_wad3) {
+    TRY(formats::Wad3Texture wad3_texture, formats::read_wad3_texture(lump.data));
+    wad3_texture.texture.name = lump.name;  // which says whether it has holes
+    if (!dull_colours_) dull_colours_.emplace(palette_, 0, formats::kFirstFullbright);
+    texture = formats::recoloured(wad3_texture, palette_, *dull_colours_);
+  } else {
+    TRY(texture, formats::read_wad_texture(lump.data));
+  }
+  return formats::BspMiptex{true, level_name(lump.name), texture.width, texture.height,
+                            std::move(texture.mips)};
+}
+
+std::optional<formats::BspMiptex> TextureSources::take(const std::string& key, Warnings& io_warnings) {
+  const auto found = places_.find(key);
+  if (found == places_.end()) return std::nullopt;
+  Source& source = sources_[found->second.source];
+  if (!source.miptexes.empty()) return source.miptexes[found->second.item];
+  const formats::WadLump& lump = source.lumps[found->second.item];
+  auto miptex = read(source, lump);
+  if (miptex.ok()) return std::move(miptex).value();
+  io_warnings.push_back(
+      {"texture cannot be read",
+       fmt::format("{}: \"{}\": {}", source.name, base::printable(lump.name), miptex.error().what)});
+  return std::nullopt;
+}
+
+}  // namespace temblor::compiler

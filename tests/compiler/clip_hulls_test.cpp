@@ -1,0 +1,206 @@
+// Boxes against the clip hulls of compiled maps, held against boxes against the brushes themselves.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/text.h"
+#include "compiler/make_draft.h"
+#include "support/effort.h"
+#include "support/game_data.h"
+#include "support/random.h"
+#include "support/room_map.h"
+#include "world/trace.h"
+
+namespace temblor::test {
+namespace {
+
+using math::Vec3d;
+
+// A brush by its corners and planes, from the text alone.
+struct Solid {
+  std::vector<Vec3d> corners, normals, edges;
+  std::vector<double> distances;
+  Vec3d mins{1e9}, maxs{-1e9};
+};
+
+// Every triple of planes meets in a point; those behind all planes are the corners.
+Solid solid_of(const formats::MapBrush& brush) {
+  Solid solid;
+  for (const formats::MapSide& side : brush.sides) {
+    const auto& p = side.points_world;
+    const Vec3d normal = glm::normalize(glm::cross(p[0] - p[1], p[2] - p[1]));
+    solid.normals.push_back(normal);
+    solid.distances.push_back(glm::dot(normal, p[1]));
+  }
+  const std::size_t sides = solid.normals.size();
+  std::vector<std::array<std::size_t, 3>> planes_of;
+  for (std::size_t i = 0; i < sides; ++i)
+    for (std::size_t j = i + 1; j < sides; ++j)
+      for (std::size_t k = j + 1; k < sides; ++k) {
+        const Vec3d &a = solid.normals[i], &b = solid.normals[j], &c = solid.normals[k];
+        const double volume = glm::dot(a, glm::cross(b, c));
+        if (std::abs(volume) < 1e-6) continue;
+        const Vec3d point = (glm::cross(b, c) * solid.distances[i] + glm::cross(c, a) * solid.distances[j] +
+                             glm::cross(a, b) * solid.distances[k]) /
+                            volume;
+        bool inside = true;
+        for (std::size_t s = 0; s < sides && inside; ++s)
+          inside = glm::dot(solid.normals[s], point) <= solid.distances[s] + 0.01;
+        if (!inside) continue;
+        solid.corners.push_back(point);
+        solid.mins = glm::min(solid.mins, point);
+        solid.maxs = glm::max(solid.maxs, point);
+      }
+  for (std::size_t i = 0; i < sides; ++i)
+    for (std::size_t j = i + 1; j < sides; ++j) {
+      const Vec3d edge = glm::cross(solid.normals[i], solid.normals[j]);
+      if (glm::length(edge) > 1e-6) solid.edges.push_back(glm::normalize(edge));
+    }
+  return solid;
+}
+
+struct HullBox {
+  Vec3d mins, maxs;
+};
+
+// How deep the box at `at` is in the solid: by the separating axis that parts them most, or least overlaps;
+// negative: how far apart along it.
+double depth_in(const Solid& solid, const HullBox& box, const Vec3d& at) {
+  double least = std::numeric_limits<double>::max();
+  const auto try_axis = [&](const Vec3d& axis) {
+    double near = 1e9, far = -1e9;
+    for (const Vec3d& corner : solid.corners) {
+      near = std::min(near, glm::dot(axis, corner));
+      far = std::max(far, glm::dot(axis, corner));
+    }
+    double low = glm::dot(axis, at), high = low;
+    for (int i = 0; i < 3; ++i) {
+      low += std::min(axis[i] * box.mins[i], axis[i] * box.maxs[i]);
+      high += std::max(axis[i] * box.mins[i], axis[i] * box.maxs[i]);
+    }
+    least = std::min({least, far - low, high - near});
+  };
+  for (const Vec3d& normal : solid.normals) try_axis(normal);
+  for (int i = 0; i < 3; ++i) {
+    Vec3d axis(0.0);
+    axis[i] = 1;
+    try_axis(axis);
+    for (const Vec3d& edge : solid.edges)
+      if (const Vec3d across = glm::cross(edge, axis); glm::length(across) > 1e-3)
+        try_axis(glm::normalize(across));
+  }
+  return least;
+}
+
+// What stops boxes: the texture of a brush decides.
+bool stops_boxes(const formats::MapBrush& brush) {
+  return std::none_of(brush.sides.begin(), brush.sides.end(), [](const formats::MapSide& side) {
+    return side.texture.starts_with("*") || base::to_lower(side.texture) == "origin" ||
+           base::to_lower(side.texture).starts_with("hint");
+  });
+}
+
+std::vector<Solid> solids_of_world(const formats::Map& map) {
+  std::vector<Solid> solids;
+  for (const formats::MapEntity& entity : map.entities) {
+    const std::string_view name = entity.fields.classname();
+    if (name != "worldspawn" && name != "func_group" && name != "func_detail" && name != "func_detail_wall" &&
+        name != "func_detail_fence")
+      continue;
+    for (const formats::MapBrush& brush : entity.brushes)
+      if (stops_boxes(brush)) solids.push_back(solid_of(brush));
+  }
+  return solids;
+}
+
+constexpr std::array<std::pair<world::Hull, HullBox>, 2> kHulls = {
+    {{world::Hull::kPlayer, {{-16, -16, -24}, {16, 16, 32}}},
+     {world::Hull::kLarge, {{-32, -32, -24}, {32, 32, 64}}}}};
+
+// Compares at random points near the map's brushes. What is deeper in, or farther from, brushes than this
+// must agree; nearer, rounding decides.
+constexpr double kUnsure = 0.1;  // units
+
+void expect_hulls_agree(const formats::Map& map, int points, Random& io_random) {
+  base::Jobs jobs(2);
+  compiler::Warnings warnings;
+  compiler::DraftOptions options;
+  options.fill_outside = false;  // all that lies outside of brushes is empty
+  const auto draft = compiler::make_draft(
+      map, [](std::string_view) { return math::Vec2d(64, 64); }, options, jobs, warnings);
+  ASSERT_TRUE(draft.ok());
+  const auto level = world::make_level(draft.value().draft.bsp, "compiled").value();
+  const std::vector<Solid> solids = solids_of_world(map);
+  int wrong = 0, solid_points = 0, sure = 0;
+  for (int i = 0; i < points; ++i) {
+    const Solid& near = solids[io_random.below(solids.size())];
+    const auto& [hull, box] = kHulls[io_random.below(kHulls.size())];
+    Vec3d at;
+    for (int axis = 0; axis < 3; ++axis)
+      at[axis] =
+          io_random.uniform(near.mins[axis] - box.maxs[axis] - 8, near.maxs[axis] - box.mins[axis] + 8);
+    at = Vec3d(math::Vec3(at));
+    double deepest = -1e9;
+    for (const Solid& solid : solids) {
+      if (glm::any(glm::lessThan(at + box.maxs, solid.mins - 1.0)) ||
+          glm::any(glm::greaterThan(at + box.mins, solid.maxs + 1.0)))
+        continue;
+      deepest = std::max(deepest, depth_in(solid, box, at));
+    }
+    if (std::abs(deepest) < kUnsure) continue;
+    ++sure;
+    const bool is_solid =
+        world::hull_contents(*level, world::ModelIndex{0}, hull, math::Vec3(at)) == world::Contents::kSolid;
+    solid_points += is_solid ? 1 : 0;
+    if (is_solid == (deepest > 0)) continue;
+    if (++wrong < 5) ADD_FAILURE() << "at " << at.x << ' ' << at.y << ' ' << at.z << ", depth " << deepest;
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(sure, points * 9 / 10);
+  EXPECT_GT(solid_points, points / 10);
+  EXPECT_LT(solid_points, points * 99 / 100);
+}
+
+class ClipHulls : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ClipHulls, AgreeWithTheBrushes) {
+  DATA_FOLDER_OR_SKIP(data);
+  const base::ByteVector text = read_file(data / "mapsrc" / (std::string(GetParam()) + ".map"));
+  Random random(11);
+  expect_hulls_agree(formats::read_map(base::as_text(text)).value(), effort(100000, 500), random);
+}
+
+INSTANTIATE_TEST_SUITE_P(Stock, ClipHulls,
+                         ::testing::Values("start", "lq_e0m1", "lq_e0m3", "lqdm5", "lqdm11"),
+                         [](const auto& map) { return std::string(map.param); });
+
+// A tetrahedron has edges that no box has.
+TEST(ClipHulls, AgreeForSlantingBrushes) {
+  Random random(5);
+  for (int i = 0; i < effort(30, 5); ++i) {
+    std::string text = "{\n";
+    std::array<Vec3d, 4> p;
+    for (Vec3d& point : p) point = glm::round(Vec3d(random.in_cube(100)));
+    if (glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) < 0) std::swap(p[0], p[1]);
+    if (std::abs(glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0])) < 1e5) continue;
+    const auto side = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+      text += fmt::format("( {} {} {} ) ( {} {} {} ) ( {} {} {} ) stone 0 0 0 1 1\n", a.x, a.y, a.z, b.x, b.y,
+                          b.z, c.x, c.y, c.z);
+    };
+    // Outwards: away from the fourth corner.
+    side(p[0], p[1], p[2]);
+    side(p[0], p[3], p[1]);
+    side(p[1], p[3], p[2]);
+    side(p[0], p[2], p[3]);
+    SCOPED_TRACE(text);
+    expect_hulls_agree(map_of(entity_text("worldspawn", "", text + "}\n")), effort(2000, 200), random);
+    if (HasFailure()) return;
+  }
+}
+
+}  // namespace
+}  // namespace temblor::test
