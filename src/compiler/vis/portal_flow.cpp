@@ -13,10 +13,6 @@ using Word = BitMatrix::Word;
 constexpr std::size_t kCutsUntilBound = 4000;
 constexpr std::size_t kCutsUntilEnd = 30'000;
 
-bool has_bit(std::span<const Word> row, std::uint32_t bit) {
-  return (row[bit / 64] >> (bit % 64) & 1) != 0;
-}
-
 // out_both = a & b; whether that has a bit which `seen` has not.
 bool narrow(std::span<const Word> a, std::span<const Word> b, std::span<const Word> seen,
             std::span<Word> out_both) {
@@ -89,8 +85,7 @@ bool PortalFlow::extend(std::size_t depth, std::uint32_t portal, const FlowBound
   to.portal = portal;
   to.next = 0;
   if (!cut_to_lines(from, to, depth == 0)) return false;
-  const std::uint32_t reached = graph_.portals[portal].to;
-  io_seen[reached / 64] |= Word{1} << (reached % 64);
+  set_bit(io_seen, graph_.portals[portal].to);
   find_separators({to.source, graph_.portals[chain_[0].portal].beyond},
                   {to.pass, graph_.portals[portal].beyond}, to.separators);
   if (!drop_hidden(to, io_seen)) return false;
@@ -119,8 +114,7 @@ bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, const std::
   first.separators.count = 0;
   const auto base_row = bounds.base.row(portal);
   first.might.assign(base_row.begin(), base_row.end());
-  const std::uint32_t beyond = graph_.portals[portal].to;
-  io_seen[beyond / 64] |= Word{1} << (beyond % 64);
+  set_bit(io_seen, graph_.portals[portal].to);
   std::ranges::fill(on_chain_, std::uint8_t{0});
   on_chain_[portal / 2] = 1;
   cuts_ = 0;

@@ -12,10 +12,6 @@ namespace {
 // A portal whose reached part grew so often counts as reached whole, so that small steps come to an end.
 constexpr int kMaxGrowths = 8;
 
-bool has_bit(std::span<const BitMatrix::Word> row, std::uint32_t bit) {
-  return (row[bit / 64] >> (bit % 64) & 1) != 0;
-}
-
 }  // namespace
 
 void Reach::reach(std::uint32_t portal, const Winding& piece) {
@@ -56,7 +52,7 @@ void Reach::pass_on(const DirectedPortal& source, const Slot& from, const FlowBo
     if (!cut(piece, source.beyond) || (!is_source && !cut(piece, pass.beyond))) continue;
     if (!std::ranges::all_of(separators.all(), [&](const HalfSpace& space) { return cut(piece, space); }))
       continue;
-    io_bound[target.to / 64] |= BitMatrix::Word{1} << (target.to % 64);
+    set_bit(io_bound, target.to);
     reach(way, piece);
   }
 }
@@ -65,7 +61,7 @@ void Reach::run(std::uint32_t portal, const FlowBounds& bounds, std::span<const 
                 std::span<BitMatrix::Word> out_bound) {
   const DirectedPortal& source = graph_.portals[portal];
   std::ranges::fill(out_bound, BitMatrix::Word{0});
-  out_bound[source.to / 64] |= BitMatrix::Word{1} << (source.to % 64);
+  set_bit(out_bound, source.to);
   reach(portal, source.winding);
   while (!queue_.empty()) {
     Slot& slot = slots_[queue_.front()];
