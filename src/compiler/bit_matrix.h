@@ -38,6 +38,12 @@ class BitMatrix {
   std::vector<Word> bits_;
 };
 
+inline bool has_bit(std::span<const BitMatrix::Word> row, std::size_t bit) {
+  return (row[bit / 64] >> (bit % 64) & 1) != 0;
+}
+inline void set_bit(std::span<BitMatrix::Word> row, std::size_t bit) {
+  row[bit / 64] |= BitMatrix::Word{1} << (bit % 64);
+}
 inline std::size_t count_bits(std::span<const BitMatrix::Word> row) {
   std::size_t count = 0;
   for (const BitMatrix::Word word : row) count += static_cast<std::size_t>(std::popcount(word));

@@ -66,9 +66,15 @@ TEST(VisibilityState, OfAnotherLevelIsRefused) {
 }
 
 TEST(VisibilityState, DamagedIsRefused) {
-  const PortalSet portals = make_tree_portals(artgen::make_small_level({.tiny = true})).value();
+  // Four windows in line between five of 70 clusters: two words a row.
+  PortalSet portals;
+  portals.cluster_count = 70;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const double x = 100.0 * i;
+    portals.portals.push_back({{{x, 0, 0}, {x, 0, 10}, {x, 10, 10}, {x, 10, 0}}, {1, 0, 0}, x, {i + 1, i}});
+  }
   const VisibilityState begun = begin_visibility(portals);
-  const base::ByteVector bytes = write_visibility_state(stopped_state(portals));
+  const base::ByteVector bytes = write_visibility_state(finished_state(portals));
   test::for_each_truncation(bytes, [&](const base::ByteVector& cut) {
     EXPECT_FALSE(read_visibility_state(cut, begun).ok()) << cut.size();
   });

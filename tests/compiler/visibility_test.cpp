@@ -10,6 +10,8 @@
 #include "artgen/small_level.h"
 #include "compiler/sight_lines.h"
 #include "compiler/tree_portals.h"
+#include "compiler/vis/base_visibility.h"
+#include "compiler/vis/reach.h"
 #include "support/effort.h"
 #include "support/game_data.h"
 
@@ -134,13 +136,37 @@ TEST(Visibility, NeverHidesWhatALineReachesInASmallLevel) {
 TEST(Visibility, NeverHidesWhatALineReachesInFinishedLevels) {
   DATA_FOLDER_OR_SKIP(folder);
   const std::vector<std::string> names =
-      test::kQuick ? std::vector<std::string>{"b_bh25", "start"}
+      test::kQuick ? std::vector<std::string>{"lqdm12", "start"}
                    : std::vector<std::string>{"start", "lq_e0m1", "lq_e0m3", "lq_e1m2", "lqdm5", "lqdm11"};
   for (const std::string& name : names) {
     const formats::Bsp bsp = finished_level(folder, name);
     const PortalSet portals = make_tree_portals(bsp, {.clusters = Clusters::kSharedVisibility}).value();
     expect_lines_arrive(name, bsp, portals, visibility_of(portals), test::effort(200'000, 3000));
   }
+}
+
+// The bound that ends long searches, used for every portal and by itself.
+TEST(Visibility, TheBoundOfLongSearchesHidesNothingEither) {
+  const formats::Bsp bsp = artgen::make_small_level();
+  const PortalSet portals = make_tree_portals(bsp).value();
+  const vis::PortalGraph graph = vis::make_portal_graph(portals);
+  base::Jobs jobs(1);
+  const BitMatrix base_visibility = vis::find_base_visibility(graph, jobs);
+  const std::vector<std::uint32_t> no_ranks(graph.portals.size(), 1);
+  vis::Reach reach(graph);
+  BitMatrix bound(graph.portals.size(), graph.cluster_count),
+      visible(graph.cluster_count, graph.cluster_count);
+  std::size_t base_bits = 0, bound_bits = 0;
+  for (std::uint32_t i = 0; i < graph.portals.size(); ++i) {
+    reach.run(i, {base_visibility, bound, no_ranks, 0}, base_visibility.row(i), bound.row(i));
+    base_bits += count_bits(base_visibility.row(i));
+    bound_bits += count_bits(bound.row(i));
+    visible.set(graph.portals[i].from, graph.portals[i].from);
+    for (std::size_t word = 0; word < bound.row(i).size(); ++word)
+      visible.row(graph.portals[i].from)[word] |= bound.row(i)[word];
+  }
+  EXPECT_LT(bound_bits, base_bits);
+  expect_lines_arrive("small level, bound", bsp, portals, visible, test::effort(100'000, 3000));
 }
 
 TEST(Visibility, IsMutualAndWithinTheRoughOne) {

@@ -9,9 +9,9 @@ namespace {
 
 using Word = BitMatrix::Word;
 
-bool has_bit(std::span<const Word> row, std::uint32_t bit) {
-  return (row[bit / 64] >> (bit % 64) & 1) != 0;
-}
+// Portals cut in one search: few portals of ordinary levels take as many as the first, none the second.
+constexpr std::size_t kCutsUntilBound = 4000;
+constexpr std::size_t kCutsUntilEnd = 30'000;
 
 // out_both = a & b; whether that has a bit which `seen` has not.
 bool narrow(std::span<const Word> a, std::span<const Word> b, std::span<const Word> seen,
@@ -81,16 +81,28 @@ bool PortalFlow::extend(std::size_t depth, std::uint32_t portal, const FlowBound
   if (!has_bit(from.might, graph_.portals[portal].to)) return false;
   to.might.resize(from.might.size());
   if (!narrow(from.might, bounds.row(portal), io_seen, to.might)) return false;
+  ++cuts_;
   to.portal = portal;
   to.next = 0;
   if (!cut_to_lines(from, to, depth == 0)) return false;
-  const std::uint32_t reached = graph_.portals[portal].to;
-  io_seen[reached / 64] |= Word{1} << (reached % 64);
+  set_bit(io_seen, graph_.portals[portal].to);
   find_separators({to.source, graph_.portals[chain_[0].portal].beyond},
                   {to.pass, graph_.portals[portal].beyond}, to.separators);
   if (!drop_hidden(to, io_seen)) return false;
   on_chain_[portal / 2] = 1;
   return true;
+}
+
+// Takes what Reach does not reach out of the search that has got to `depth`.
+void PortalFlow::tighten(std::uint32_t portal, std::size_t depth, const FlowBounds& bounds,
+                         std::span<Word> io_seen) {
+  bound_.resize(io_seen.size());
+  reach_.run(portal, bounds, chain_[0].might, bound_);
+  for (std::size_t i = 0; i < bound_.size(); ++i) {
+    io_seen[i] &= bound_[i];
+    for (std::size_t link_depth = 0; link_depth <= depth; ++link_depth)
+      chain_[link_depth].might[i] &= bound_[i];
+  }
 }
 
 bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, const std::atomic<bool>& stop,
@@ -102,11 +114,19 @@ bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, const std::
   first.separators.count = 0;
   const auto base_row = bounds.base.row(portal);
   first.might.assign(base_row.begin(), base_row.end());
-  const std::uint32_t beyond = graph_.portals[portal].to;
-  io_seen[beyond / 64] |= Word{1} << (beyond % 64);
+  set_bit(io_seen, graph_.portals[portal].to);
   std::ranges::fill(on_chain_, std::uint8_t{0});
   on_chain_[portal / 2] = 1;
+  cuts_ = 0;
+  bool is_bounded = false;
   for (std::size_t depth = 0;;) {
+    if (cuts_ >= kCutsUntilBound && !is_bounded) {
+      tighten(portal, depth, bounds, io_seen);
+      is_bounded = true;
+    } else if (cuts_ >= kCutsUntilEnd) {
+      std::ranges::copy(bound_, io_seen.begin());
+      return true;
+    }
     Link& last = chain_[depth];
     const auto ways = graph_.out_of(graph_.portals[last.portal].to);
     if (last.next == ways.size()) {

@@ -9,31 +9,22 @@
 #include <vector>
 
 #include "compiler/bit_matrix.h"
+#include "compiler/vis/flow_bounds.h"
 #include "compiler/vis/portal_graph.h"
+#include "compiler/vis/reach.h"
 #include "compiler/vis/separators.h"
 
 namespace temblor::compiler::vis {
 
-// What might be seen through each portal, as far as the flow through another may know it: finished rows of
-// the portals whose rank is below `finished`, base visibility for all others.
-struct FlowBounds {
-  const BitMatrix& base;
-  const BitMatrix& seen;
-  std::span<const std::uint32_t> rank_of_portal;
-  std::uint32_t finished = 0;
-
-  std::span<const BitMatrix::Word> row(std::uint32_t portal) const {
-    return rank_of_portal[portal] < finished ? seen.row(portal) : base.row(portal);
-  }
-};
-
 // Working memory of one thread.
 class PortalFlow {
  public:
-  explicit PortalFlow(const PortalGraph& graph) : graph_(graph), on_chain_(graph.portals.size() / 2, 0) {}
+  explicit PortalFlow(const PortalGraph& graph)
+      : graph_(graph), reach_(graph), on_chain_(graph.portals.size() / 2, 0) {}
 
-  // Sets the bits of the clusters that are seen through the portal. False when `stop` became true before the
-  // end.
+  // Sets the bits (all 0 before) of the clusters that are seen through the portal. False when `stop` became
+  // true before the end. A search that takes too long is bounded by Reach, and if that does not end it soon,
+  // replaced by it: then more is seen, never less.
   bool run(std::uint32_t portal, const FlowBounds& bounds, const std::atomic<bool>& stop,
            std::span<BitMatrix::Word> io_seen);
 
@@ -54,7 +45,12 @@ class PortalFlow {
   bool drop_hidden(Link& io_link, std::span<const Word> seen);
   bool cut_to_lines(Link& from, Link& io_to, bool direct);
 
+  void tighten(std::uint32_t portal, std::size_t depth, const FlowBounds& bounds, std::span<Word> io_seen);
+
   const PortalGraph& graph_;
+  Reach reach_;
+  std::vector<Word> bound_;             // from reach_
+  std::size_t cuts_ = 0;                // portals cut so far in this search
   std::deque<Link> chain_;              // the longest so far; references stay valid as it grows
   std::vector<std::uint8_t> on_chain_;  // by opening, 0 or 1
 };
