@@ -11,6 +11,7 @@
 #include "compiler/light/bounce.h"
 #include "compiler/light/direct_light.h"
 #include "compiler/light/entity_lights.h"
+#include "compiler/light/leaf_sight.h"
 #include "compiler/light/light_maps.h"
 #include "compiler/light/lit_level.h"
 #include "compiler/light/phong.h"
@@ -24,13 +25,11 @@ namespace {
 
 constexpr const char* kColouredLump = "RGBLIGHTING";
 
-// The level that light falls on: as it is, but unlit. What only the game needs is left out.
+// The level that light falls on: as it is, but unlit.
 formats::Bsp unlit(const formats::Bsp& bsp) {
   formats::Bsp copy = bsp;
   copy.lighting.clear();
-  copy.visibility.clear();
   copy.bspx.clear();
-  for (formats::BspLeaf& leaf : copy.leafs) leaf.visibility_offset = -1;
   for (formats::BspFace& face : copy.faces) {
     face.styles = {255, 255, 255, 255};
     face.light_offset = -1;
@@ -91,9 +90,11 @@ base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& fac
   const int sky_rays = options.fast ? std::max(1, options.sky_rays / 10) : options.sky_rays;
   const std::vector<SkyBeam> beams = sky_beams_of(entities, settings, sky_rays);
   const PhongNormals phong(lit);
+  const LeafSight sight(lit, found.lights);
 
-  std::optional<std::vector<FaceLight>> light = direct_light(
-      {lit, scene, phong, settings, found.lights, beams, shadow_sampling(options.extra)}, io_jobs, progress);
+  std::optional<std::vector<FaceLight>> light =
+      direct_light({lit, scene, phong, sight, settings, found.lights, beams, shadow_sampling(options.extra)},
+                   io_jobs, progress);
   if (!light) return base::error(base::ErrorCode::kUsage, "light was stopped");
   if (settings.bounce.count > 0) add_bounced_light(lit, scene, settings.bounce, io_jobs, *light);
 

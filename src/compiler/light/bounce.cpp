@@ -23,7 +23,7 @@ constexpr float kFar = 1 << 20;  // longer than any level
 constexpr float kReflectance = 0.5f;
 // Levels are made for bounced light that is this much brighter than that of real walls: measured on levels
 // that their makers lit with one bounce.
-constexpr float kGain = 3;
+constexpr float kGain = 2.25f;
 
 struct NodeGrid {
   std::uint32_t first_node = 0;

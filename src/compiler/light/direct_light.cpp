@@ -85,8 +85,21 @@ class FaceLighter {
       light_.dirt = dirt_at(input.scene, places_, normals_, input.settings.dirt);
   }
 
+  void add_all() {
+    const std::vector<world::LeafIndex> leafs = input_.sight.leafs_of(grid_.face, filter_.luxel_places());
+    for (std::size_t i = 0; i < input_.lights.size(); ++i)
+      if (may_reach(input_.lights[i]) && input_.sight.light_may_reach(i, leafs)) add(input_.lights[i]);
+    if (!input_.scene.has_sky() || !input_.sight.sky_may_reach(leafs)) return;
+    for (const SkyBeam& beam : input_.beams) add(beam);
+  }
+
+  FaceLight take() && {
+    for (LightLayer& layer : light_.layers) fill_hidden(grid_.width, grid_.height, hidden_, layer.samples);
+    return std::move(light_);
+  }
+
+ private:
   void add(const LightSource& light) {
-    if (!may_reach(light)) return;
     lit_luxels_.clear();
     float brightest = 0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -125,12 +138,6 @@ class FaceLighter {
             beam.takes_dirt);
   }
 
-  FaceLight take() && {
-    for (LightLayer& layer : light_.layers) fill_hidden(grid_.width, grid_.height, hidden_, layer.samples);
-    return std::move(light_);
-  }
-
- private:
   void set_normals() {
     normals_.reserve(places_.size());
     for (int row = 0; row < grid_.height; ++row)
@@ -194,11 +201,7 @@ class FaceLighter {
 
 FaceLight direct_light_of(const DirectLightInput& input, std::size_t face) {
   FaceLighter lighter(input, face);
-  if (!input.lit.keys_of(face).ignores_light) {
-    for (const LightSource& light : input.lights) lighter.add(light);
-    if (input.scene.has_sky())
-      for (const SkyBeam& beam : input.beams) lighter.add(beam);
-  }
+  if (!input.lit.keys_of(face).ignores_light) lighter.add_all();
   return std::move(lighter).take();
 }
 
