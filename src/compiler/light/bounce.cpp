@@ -19,11 +19,10 @@ constexpr int kLuxelsToNode = 4;
 constexpr int kRays = 128;  // a node
 constexpr std::uint32_t kNoNode = std::numeric_limits<std::uint32_t>::max();
 constexpr float kFar = 1 << 20;  // longer than any level
-// How much of its light a grey surface sends back.
-constexpr float kReflectance = 0.5f;
-// Levels are made for bounced light that is this much brighter than that of real walls: measured on levels
-// that their makers lit with one bounce.
-constexpr float kGain = 2.25f;
+// Levels are made for bounced light that is this bright: measured on levels that their makers lit with one
+// bounce. Of each further bounce a fifth is left, as of that from dark stone.
+constexpr float kFirstBounce = 1.125f;
+constexpr float kReflectance = 0.2f;
 
 struct NodeGrid {
   std::uint32_t first_node = 0;
@@ -198,7 +197,7 @@ void add_bounced_light(const LitLevel& lit, const RayScene& scene, const BounceS
       sent[node] = gathered_now[node] * bounced.reflectance[bounced.face_of_node[node]];
     }
   }
-  for (math::Vec3& light : gathered) light *= kGain * settings.scale;
+  for (math::Vec3& light : gathered) light *= kFirstBounce / kReflectance * settings.scale;
   io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
     if (bounced.grids[face].columns > 0 && lit.keys_of(face).takes_bounce)
       add_to_face(bounced.grids[face], gathered, io_light[face]);

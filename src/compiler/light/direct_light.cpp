@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "compiler/light/dirt.h"
-#include "world/visibility.h"
 
 namespace temblor::compiler {
 namespace {
@@ -30,17 +29,18 @@ Sphere sphere_around(std::span<const math::Vec3> points) {
 }
 
 // What stands up into a brush of sky is drawn there.
-bool lies_in_sky(const LitLevel& lit, std::span<const math::Vec3> places) {
-  return std::any_of(places.begin(), places.end(), [&](const math::Vec3& place) {
-    return world::point_contents(*lit.level, place) == world::Contents::kSky;
+bool lies_in_sky(const world::Level& level, std::span<const world::LeafIndex> leafs) {
+  return std::any_of(leafs.begin(), leafs.end(), [&](world::LeafIndex leaf) {
+    return level.leaf(leaf).contents == world::Contents::kSky;
   });
 }
 
 // Gives luxels that lie within something solid the mean of their neighbours, ring by ring, so that what is
 // seen of them fades into the rest. All stays as it is where all are hidden.
-void fill_hidden(int width, int height, std::span<const std::uint8_t> hidden,
-                 std::span<math::Vec3> io_samples) {
-  std::vector<std::uint8_t> unknown(hidden.begin(), hidden.end());
+void fill_hidden(const LightGrid& grid, const SamplePlaces& places, std::span<math::Vec3> io_samples) {
+  std::vector<std::uint8_t> unknown;
+  for (std::size_t i = 0; i < places.leafs.size(); ++i) unknown.push_back(places.is_hidden(i) ? 1 : 0);
+  const int width = grid.width, height = grid.height;
   const auto left = [&] { return std::count(unknown.begin(), unknown.end(), std::uint8_t{1}); };
   for (auto before = left(); before > 0 && before < static_cast<std::ptrdiff_t>(unknown.size());) {
     const std::vector<std::uint8_t> was_unknown = unknown;
@@ -74,11 +74,10 @@ class FaceLighter {
         grid_(make_light_grid(input.lit, face)),
         filter_(input.lit, input.scene, grid_, input.sampling),
         places_(filter_.luxel_places().points),
-        hidden_(filter_.luxel_places().hidden),
         bounds_(sphere_around(places_)),
         flat_normal_(grid_.normal),
         is_flat_(!input.phong.is_curved(face)),
-        is_in_sky_(lies_in_sky(input.lit, places_)),
+        is_in_sky_(lies_in_sky(*input.lit.level, filter_.luxel_places().leafs)),
         unshadowed_(places_.size()) {
     if (!is_flat_ || input.settings.dirt.on) set_normals();
     if (input.settings.dirt.on && input.lit.keys_of(face).takes_dirt)
@@ -94,7 +93,7 @@ class FaceLighter {
   }
 
   FaceLight take() && {
-    for (LightLayer& layer : light_.layers) fill_hidden(grid_.width, grid_.height, hidden_, layer.samples);
+    for (LightLayer& layer : light_.layers) fill_hidden(grid_, filter_.luxel_places(), layer.samples);
     return std::move(light_);
   }
 
@@ -103,7 +102,7 @@ class FaceLighter {
     lit_luxels_.clear();
     float brightest = 0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      unshadowed_[i] = hidden_[i] != 0 ? 0 : value_of(light, i);
+      unshadowed_[i] = is_hidden(i) ? 0 : value_of(light, i);
       if (std::abs(unshadowed_[i]) <= kLightGate) continue;
       lit_luxels_.push_back(static_cast<std::uint32_t>(i));
       brightest = std::max(brightest, std::abs(unshadowed_[i]));
@@ -124,7 +123,7 @@ class FaceLighter {
     lit_luxels_.clear();
     for (std::size_t i = 0; i < places_.size(); ++i) {
       unshadowed_[i] = beam.value * angle_factor(beam.angle_scale, glm::dot(normal_of(i), beam.towards_sky));
-      if (unshadowed_[i] != 0 && hidden_[i] == 0) lit_luxels_.push_back(static_cast<std::uint32_t>(i));
+      if (unshadowed_[i] != 0 && !is_hidden(i)) lit_luxels_.push_back(static_cast<std::uint32_t>(i));
     }
     if (lit_luxels_.empty()) return;
     const auto shares = filter_.shares(lit_luxels_, is_rough(std::abs(beam.value)),
@@ -145,6 +144,7 @@ class FaceLighter {
         normals_.push_back(input_.phong.at(
             grid_, grid_.origin_world + grid_.column_step * double(column) + grid_.row_step * double(row)));
   }
+  bool is_hidden(std::size_t luxel) const { return filter_.luxel_places().is_hidden(luxel); }
   const math::Vec3& normal_of(std::size_t luxel) const { return is_flat_ ? flat_normal_ : normals_[luxel]; }
   bool is_rough(float brightest) const { return brightest * input_.settings.range < kRoughBelow; }
 
@@ -187,7 +187,6 @@ class FaceLighter {
   LightGrid grid_;
   ShadowFilter filter_;
   std::span<const math::Vec3> places_;
-  std::span<const std::uint8_t> hidden_;
   Sphere bounds_;
   math::Vec3 flat_normal_;
   bool is_flat_, is_in_sky_;

@@ -38,7 +38,7 @@ bool any_in(std::span<const std::uint8_t> row, std::span<const world::LeafIndex>
 
 }  // namespace
 
-LeafSight::LeafSight(const LitLevel& lit, std::span<const LightSource> lights) : lit_(lit) {
+LeafSight::LeafSight(const LitLevel& lit, std::span<const LightSource> lights) {
   const world::Level& level = *lit.level;
   known_ = !level.visibility.empty() && sees_through_liquids(level);
   if (!known_) return;
@@ -71,8 +71,8 @@ LeafSight::LeafSight(const LitLevel& lit, std::span<const LightSource> lights) :
 std::vector<world::LeafIndex> LeafSight::leafs_of(std::size_t face, const SamplePlaces& places) const {
   if (!known_) return {};
   std::vector<world::LeafIndex> leafs = leafs_showing_[face];
-  for (std::size_t i = 0; i < places.points.size(); ++i)
-    if (places.hidden[i] == 0) leafs.push_back(world::find_leaf(*lit_.level, places.points[i]));
+  for (std::size_t i = 0; i < places.leafs.size(); ++i)
+    if (!places.is_hidden(i)) leafs.push_back(places.leafs[i]);
   std::sort(leafs.begin(), leafs.end());
   leafs.erase(std::unique(leafs.begin(), leafs.end()), leafs.end());
   return leafs;

@@ -27,7 +27,6 @@ class LeafSight {
  private:
   using Row = std::vector<std::uint8_t>;  // one bit a leaf, as world::decompress_pvs has it
 
-  const LitLevel& lit_;
   bool known_ = false;
   std::vector<std::vector<world::LeafIndex>> leafs_showing_;  // by face
   std::vector<Row> rows_;

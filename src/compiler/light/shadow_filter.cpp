@@ -28,7 +28,7 @@ const SamplePlaces& ShadowFilter::places(int per_luxel) {
   const SamplePlaces rows = sample_places(lit_, scene_, grid_, per_luxel);
   SamplePlaces places;
   places.points.reserve(rows.points.size());
-  places.hidden.reserve(rows.points.size());
+  places.leafs.reserve(rows.points.size());
   const int columns = grid_.width * per_luxel;
   for (int luxel = 0; luxel < grid_.width * grid_.height; ++luxel)
     for (int i = 0; i < per_luxel * per_luxel; ++i) {
@@ -36,7 +36,7 @@ const SamplePlaces& ShadowFilter::places(int per_luxel) {
       const int row = luxel / grid_.width * per_luxel + i / per_luxel;
       const auto from = static_cast<std::size_t>(row * columns + column);
       places.points.push_back(rows.points[from]);
-      places.hidden.push_back(rows.hidden[from]);
+      places.leafs.push_back(rows.leafs[from]);
     }
   return finer_.emplace_back(Places{per_luxel, std::move(places)}).places;
 }
@@ -56,7 +56,7 @@ void ShadowFilter::sample(std::span<const std::uint32_t> luxels, int per_luxel, 
     float count = 0;
     bool mixed = false;
     for (std::size_t k = 0; k < each; ++k) {
-      if (from.hidden[luxel * each + k] != 0) continue;
+      if (from.is_hidden(luxel * each + k)) continue;
       const math::Vec3& answer = answers_[i * each + k];
       if (count == 0) first = answer;
       mixed = mixed || answer != first;
