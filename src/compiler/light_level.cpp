@@ -87,7 +87,7 @@ base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& fac
   EntityLights found = entity_lights_of(entities, settings, io_warnings);
   const std::vector<LightSource> surface_lights = surface_lights_of(lit, found.templates);
   found.lights.insert(found.lights.end(), surface_lights.begin(), surface_lights.end());
-  const int sky_rays = options.fast ? std::max(1, options.sky_rays / 10) : options.sky_rays;
+  const int sky_rays = options.fast ? std::max(1, options.sky_rays / 8) : options.sky_rays;
   const std::vector<SkyBeam> beams = sky_beams_of(entities, settings, sky_rays);
   const PhongNormals phong(lit);
   const LeafSight sight(lit, found.lights);

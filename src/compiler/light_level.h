@@ -17,9 +17,9 @@ namespace temblor::compiler {
 struct LightOptions {
   // Samples of a shadow for each sample of the light map, each way: 1, 2 or 4 (see light/shadow_filter.h).
   int extra = 1;
-  bool fast = false;           // neither dirt nor bounces, a tenth of the rays to the sky
+  bool fast = false;             // neither dirt nor bounces, an eighth of the rays to the sky
   std::optional<int> bounces{};  // instead of the level's own _bounce
-  int sky_rays = 100;          // about as many directions each for the sky's dome
+  int sky_rays = 128;            // the most directions each for a dome of sky, or a sun's penumbra
 };
 
 struct LightSummary {
