@@ -67,6 +67,25 @@ BouncedWorld lay_nodes(const LitLevel& lit) {
   return bounced;
 }
 
+// The mean colour of a texture, the strongest channel 1; white where it is black or without texels.
+math::Vec3 hue_of(const world::Texture& texture, const formats::Palette& palette) {
+  math::Vec3d sum(0.0);
+  for (const std::uint8_t texel : texture.mips[0])
+    sum += math::Vec3d(palette[texel].r, palette[texel].g, palette[texel].b);
+  const double strongest = std::max({sum.x, sum.y, sum.z});
+  return strongest > 0 ? math::Vec3(sum / strongest) : math::Vec3(1.0f);
+}
+
+void tint_by_textures(const LitLevel& lit, const BounceSettings& settings, const formats::Palette& palette,
+                      BouncedWorld& io_bounced) {
+  const world::Level& level = *lit.level;
+  std::vector<math::Vec3> hues;
+  for (const world::Texture& texture : level.textures) hues.push_back(hue_of(texture, palette));
+  for (std::size_t face = 0; face < level.faces.size(); ++face)
+    io_bounced.reflectance[face] *=
+        glm::mix(math::Vec3(1.0f), hues[base::to_size(level.faces[face].texture)], settings.colour_scale);
+}
+
 // The node of a face nearest to a point on it.
 std::uint32_t node_at(const LitLevel& lit, const NodeGrid& grid, std::size_t face, const math::Vec3& point) {
   if (grid.columns == 0) return kNoNode;
@@ -172,8 +191,10 @@ void add_to_face(const NodeGrid& grid, const std::vector<math::Vec3>& gathered, 
 }  // namespace
 
 void add_bounced_light(const LitLevel& lit, const RayScene& scene, const BounceSettings& settings,
-                       base::Jobs& io_jobs, std::vector<FaceLight>& io_light) {
-  const BouncedWorld bounced = lay_nodes(lit);
+                       const std::optional<formats::Palette>& palette, base::Jobs& io_jobs,
+                       std::vector<FaceLight>& io_light) {
+  BouncedWorld bounced = lay_nodes(lit);
+  if (palette && settings.colour_scale > 0) tint_by_textures(lit, settings, *palette, bounced);
   const std::size_t nodes = bounced.face_of_node.size();
   std::vector<std::uint32_t> seen(nodes * kRays, kNoNode);
   io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
