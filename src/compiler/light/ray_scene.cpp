@@ -13,7 +13,7 @@ namespace temblor::compiler {
 namespace {
 
 constexpr std::size_t kLanes = 16;
-constexpr float kLossOfNone = 65536;  // steps for each factor of e
+constexpr float kLossSteps = 65536;  // for each factor of e
 constexpr float kLeastShare = 1.0f / 1024;
 constexpr std::uint8_t kHole = 255;  // the palette index that is not drawn
 
@@ -26,10 +26,26 @@ struct ReleaseScene {
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
 using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
 
+// The panes that a ray has been through: Embree may show it the same one again, and on a face's diagonal it
+// meets two triangles. Behind so many more of them make no difference.
+struct PassedPanes {
+  std::array<std::uint32_t, 12> surfaces;  // the first `count` of them
+  std::size_t count = 0;
+
+  // False where the pane is known, or there is no room.
+  bool add(std::uint32_t surface) {
+    const auto end = surfaces.begin() + static_cast<std::ptrdiff_t>(count);
+    if (count == surfaces.size() || std::find(surfaces.begin(), end, surface) != end) return false;
+    surfaces[count++] = surface;
+    return true;
+  }
+};
+
 // What filters note down for each lane. Embree hands the first member on to them.
 struct LossContext {
   EmbreeContext embree;
   std::array<std::array<std::int32_t, 3>, kLanes> lost{};
+  std::array<PassedPanes, kLanes> passed{};
 };
 struct TieContext {
   EmbreeContext embree;
@@ -85,14 +101,15 @@ void pass_sieves(const RTCFilterFunctionNArguments* arguments) {
     const math::Vec3 origin(RTCRayN_org_x(arguments->ray, lanes, i), RTCRayN_org_y(arguments->ray, lanes, i),
                             RTCRayN_org_z(arguments->ray, lanes, i));
     const math::Vec3 point = origin + direction * RTCRayN_tfar(arguments->ray, lanes, i);
-    const SieveSurface& surface = sieves.surfaces[sieves.triangles[triangle].surface];
-    const math::Vec3 share = share_through(surface, point, direction);
+    const std::uint32_t number = sieves.triangles[triangle].surface;
+    const math::Vec3 share = share_through(sieves.surfaces[number], point, direction);
     if (std::max({share.x, share.y, share.z}) < kLeastShare) continue;  // stays hit
-    auto& lost = losses.lost[RTCRayN_id(arguments->ray, lanes, i)];
-    for (int channel = 0; channel < 3; ++channel)
-      lost[static_cast<std::size_t>(channel)] -= static_cast<std::int32_t>(
-          std::lround(std::log(std::max(share[channel], kLeastShare)) * kLossOfNone));
     arguments->valid[i] = 0;
+    const unsigned lane = RTCRayN_id(arguments->ray, lanes, i);
+    if (share == math::Vec3(1.0f) || !losses.passed[lane].add(number)) continue;
+    for (int channel = 0; channel < 3; ++channel)
+      losses.lost[lane][static_cast<std::size_t>(channel)] -= static_cast<std::int32_t>(
+          std::lround(std::log(std::max(share[channel], kLeastShare)) * kLossSteps));
   }
 }
 
@@ -131,7 +148,7 @@ math::Vec3 share_after(const std::array<std::int32_t, 3>& lost) {
   if (lost == std::array<std::int32_t, 3>{}) return math::Vec3(1.0f);
   math::Vec3 share;
   for (int channel = 0; channel < 3; ++channel)
-    share[channel] = std::exp(static_cast<float>(-lost[static_cast<std::size_t>(channel)]) / kLossOfNone);
+    share[channel] = std::exp(static_cast<float>(-lost[static_cast<std::size_t>(channel)]) / kLossSteps);
   return share;
 }
 
