@@ -116,6 +116,52 @@ TEST(LightLevel, TemplatesMakeFacesShine) {
   }
 }
 
+TEST(LightLevel, HiddenFacesOfDoorsHaveTheLightOfTheirMiddle) {
+  formats::Bsp bsp =
+      room_with({"{ 'classname' 'func_door' 'model' '*1' 'origin' '500 0 0' }"
+                 "{ 'classname' 'light' 'origin' '0 0 30' 'delay' '3' '_anglescale' '1' }"});
+  bsp.models[0].face_count = 4;
+  bsp.models[1].first_face = 4;
+  bsp.models[1].face_count = 2;
+  // Its faces lie outside the room, its middle in that of the room.
+  bsp.models[1].mins = {-564, -64, -64};
+  bsp.models[1].maxs = {-436, 64, 64};
+  const LitResult lit = light(bsp);
+  // Of six sides that look up, down and around, one sees a light of 300 straight above it.
+  for (std::size_t face = 4; face < 6; ++face) {
+    ASSERT_GE(lit.bsp.faces[face].light_offset, 0);
+    EXPECT_NEAR(lit.bsp.lighting[static_cast<std::size_t>(lit.bsp.faces[face].light_offset)], 300.0 / 6 / 2,
+                1);
+  }
+}
+
+TEST(LightLevel, BrushModelsHaveTheirOwnLeastLight) {
+  formats::Bsp bsp =
+      room_with({"{ 'classname' 'func_wall' 'model' '*1' '_minlight' '120' '_minlight_color' '1 0.5 0' }",
+                 "'light' '40'"});
+  bsp.models[0].face_count = 4;
+  bsp.models[1].first_face = 4;
+  bsp.models[1].face_count = 2;
+  for (const RoomLuxel& luxel : room_luxels(light(bsp))) {
+    const bool own = luxel.wall >= 4;
+    // The greater of both, channel by channel.
+    const std::array<std::uint8_t, 3> expected =
+        own ? std::array<std::uint8_t, 3>{60, 30, 20} : std::array<std::uint8_t, 3>{20, 20, 20};
+    ASSERT_EQ(luxel.rgb, expected) << "wall " << luxel.wall;
+  }
+}
+
+TEST(LightLevel, FacesThatIgnoreLightKeepTheirLeast) {
+  formats::Bsp bsp =
+      room_with({"{ 'classname' 'func_wall' 'model' '*1' '_lightignore' '1' '_minlight' '50' }"
+                 "{ 'classname' 'light' 'origin' '0 0 0' }"});
+  bsp.models[0].face_count = 4;
+  bsp.models[1].first_face = 4;
+  bsp.models[1].face_count = 2;
+  for (const RoomLuxel& luxel : room_luxels(light(bsp)))
+    ASSERT_TRUE(luxel.wall >= 4 ? luxel.grey == 25 : luxel.grey > 50) << "wall " << luxel.wall;
+}
+
 TEST(LightLevel, BouncedLightReachesWhatNoLightSees) {
   const RoomSetup spot{
       "{ 'classname' 'light' 'origin' '0 0 40' 'light' '300' 'delay' '3' 'mangle' '0 -90 0' 'angle' '60' }",

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "compiler/light/dirt.h"
+#include "world/visibility.h"
 
 namespace temblor::compiler {
 namespace {
@@ -69,18 +70,18 @@ void fill_hidden(const LightGrid& grid, const SamplePlaces& places, std::span<ma
 
 class FaceLighter {
  public:
-  FaceLighter(const DirectLightInput& input, std::size_t face)
+  FaceLighter(const DirectLightInput& input, LightGrid grid, SamplePlaces places)
       : input_(input),
-        grid_(make_light_grid(input.lit, face)),
-        filter_(input.lit, input.scene, grid_, input.sampling),
+        grid_(std::move(grid)),
+        filter_(input.lit, input.scene, grid_, input.sampling, std::move(places)),
         places_(filter_.luxel_places().points),
         bounds_(sphere_around(places_)),
         flat_normal_(grid_.normal),
-        is_flat_(!input.phong.is_curved(face)),
+        is_flat_(!input.phong.is_curved(grid_.face) || grid_.corners_world.size() < 3),
         is_in_sky_(lies_in_sky(*input.lit.level, filter_.luxel_places().leafs)),
         unshadowed_(places_.size()) {
     if (!is_flat_ || input.settings.dirt.on) set_normals();
-    if (input.settings.dirt.on && input.lit.keys_of(face).takes_dirt)
+    if (input.settings.dirt.on && input.lit.keys_of(grid_.face).takes_dirt)
       light_.dirt = dirt_at(input.scene, places_, normals_, input.settings.dirt);
   }
 
@@ -196,11 +197,55 @@ class FaceLighter {
   FaceLight light_;
 };
 
+// One luxel in the middle of the face's model.
+SamplePlaces place_in_middle(const LitLevel& lit, std::size_t face) {
+  const math::Bounds& bounds = lit.level->models[lit.model_of_face[face]].bounds;
+  SamplePlaces places;
+  places.points.push_back((bounds.mins + bounds.maxs) * 0.5f + lit.offset_of(face));
+  const world::LeafIndex leaf = world::find_leaf(*lit.level, places.points[0]);
+  const bool solid = lit.level->leaf(leaf).contents == world::Contents::kSolid;
+  places.leafs.push_back(solid ? world::LeafIndex{0} : leaf);
+  return places;
+}
+
+// For a face of a brush model with all of its luxels inside something solid, as the sides of a closed door:
+// the mean light in the model's middle, from all six sides, for every luxel.
+FaceLight light_in_middle(const DirectLightInput& input, const LightGrid& grid) {
+  FaceLight mean;
+  for (int side = 0; side < 6; ++side) {
+    LightGrid single;
+    single.face = grid.face;
+    single.width = single.height = 1;
+    single.normal[side / 2] = side % 2 == 0 ? 1 : -1;
+    SamplePlaces middle = place_in_middle(input.lit, grid.face);
+    single.corners_world = {math::Vec3d(middle.points[0])};  // a point, and so flat
+    if (middle.is_hidden(0)) return {};
+    FaceLighter lighter(input, std::move(single), std::move(middle));
+    lighter.add_all();
+    for (const LightLayer& layer : std::move(lighter).take().layers)
+      for (math::Vec3& sample : mean.layer(layer.style, layer.kind, grid.size()).samples)
+        sample += layer.samples[0] / 6.0f;
+  }
+  return mean;
+}
+
+bool are_all_hidden(const SamplePlaces& places) {
+  for (std::size_t i = 0; i < places.leafs.size(); ++i)
+    if (!places.is_hidden(i)) return false;
+  return true;
+}
+
 }  // namespace
 
 FaceLight direct_light_of(const DirectLightInput& input, std::size_t face) {
-  FaceLighter lighter(input, face);
-  if (!input.lit.keys_of(face).ignores_light) lighter.add_all();
+  const LitLevel& lit = input.lit;
+  LightGrid grid = make_light_grid(lit, face);
+  SamplePlaces places = sample_places(lit, input.scene, grid, 1);
+  const bool takes_light = !lit.keys_of(face).ignores_light;
+  if (takes_light && lit.model_of_face[face] != 0 && are_all_hidden(places))
+    return light_in_middle(input, grid);
+  FaceLighter lighter(input, std::move(grid), std::move(places));
+  if (takes_light) lighter.add_all();
   return std::move(lighter).take();
 }
 

@@ -1,6 +1,7 @@
 #include "compiler/light/shadow_filter.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace temblor::compiler {
 
@@ -11,12 +12,12 @@ ShadowSampling shadow_sampling(int extra) {
 }
 
 ShadowFilter::ShadowFilter(const LitLevel& lit, const RayScene& scene, const LightGrid& grid,
-                           ShadowSampling sampling)
+                           ShadowSampling sampling, SamplePlaces luxel_places)
     : lit_(lit),
       scene_(scene),
       grid_(grid),
       sampling_(sampling),
-      single_(sample_places(lit, scene, grid, 1)),
+      single_(std::move(luxel_places)),
       share_of_luxel_(grid.size()),
       known_(grid.size()),
       mixed_(grid.size()) {}

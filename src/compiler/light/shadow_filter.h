@@ -26,10 +26,12 @@ ShadowSampling shadow_sampling(int extra);
 using ShareQuery =
     base::FunctionRef<void(std::span<const math::Vec3> points, std::span<math::Vec3> out_share)>;
 
-// For one face; keeps its samples' places from one light to the next. Used by one thread.
+// For one face; keeps its samples' places from one light to the next. Used by one thread. `luxel_places` are
+// those of sample_places with one sample a luxel.
 class ShadowFilter {
  public:
-  ShadowFilter(const LitLevel& lit, const RayScene& scene, const LightGrid& grid, ShadowSampling sampling);
+  ShadowFilter(const LitLevel& lit, const RayScene& scene, const LightGrid& grid, ShadowSampling sampling,
+               SamplePlaces luxel_places);
 
   const SamplePlaces& luxel_places() const { return single_; }
 
