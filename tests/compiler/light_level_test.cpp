@@ -68,6 +68,22 @@ TEST(LightLevel, PvsOnlySavesRays) {
   EXPECT_EQ(light(with).bsp.lighting, light(without).bsp.lighting);
 }
 
+TEST(LightLevel, ExtraSamplesOnlyRefineShadows) {
+  const LitResult plain = light(small_level_with_all());
+  const auto mean = [](const formats::Bsp& bsp) {
+    double sum = 0;
+    for (const std::uint8_t sample : bsp.lighting) sum += sample;
+    return sum / static_cast<double>(bsp.lighting.size());
+  };
+  for (const int extra : {2, 4}) {
+    const LitResult finer = light(small_level_with_all(), {.extra = extra});
+    EXPECT_EQ(finer.summary.lit_faces, plain.summary.lit_faces) << extra;
+    ASSERT_EQ(finer.bsp.lighting.size(), plain.bsp.lighting.size()) << extra;
+    EXPECT_NE(finer.bsp.lighting, plain.bsp.lighting) << extra;
+    EXPECT_NEAR(mean(finer.bsp), mean(plain.bsp), 0.5) << extra;
+  }
+}
+
 TEST(LightLevel, StopsWhenAskedAndLeavesTheLevelAlone) {
   formats::Bsp bsp = small_level_with_all();
   const formats::Bsp before = bsp;

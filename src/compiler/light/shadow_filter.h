@@ -40,11 +40,11 @@ class ShadowFilter {
   std::span<const math::Vec3> shares(std::span<const std::uint32_t> luxels, bool rough, ShareQuery query);
 
  private:
-  struct Places {
+  struct FinerPoints {
     int per_luxel = 0;
-    SamplePlaces places;  // all samples of a luxel together
+    std::vector<math::Vec3> points;  // all samples of a luxel together
   };
-  const SamplePlaces& places(int per_luxel);
+  const std::vector<math::Vec3>& points_for(int per_luxel);
   void sample(std::span<const std::uint32_t> luxels, int per_luxel, ShareQuery query);
   bool is_at_edge(std::uint32_t luxel) const;
 
@@ -53,7 +53,7 @@ class ShadowFilter {
   const LightGrid& grid_;
   ShadowSampling sampling_;
   SamplePlaces single_;
-  std::vector<Places> finer_;
+  std::vector<FinerPoints> finer_;
   std::vector<math::Vec3> points_, answers_;  // of the samples asked for
   std::vector<math::Vec3> share_of_luxel_;    // of the whole grid
   std::vector<std::uint8_t> known_, mixed_;   // of the whole grid
