@@ -64,9 +64,17 @@ LightSettings settings_of(const std::vector<formats::Entity>& entities, const Li
   return settings;
 }
 
+// Games without the BSPX lumps for it would show other grids than 16 texels as noise.
+void warn_of_scaled_grids(const FaceKeys& face_keys, Warnings& io_warnings) {
+  const bool any = std::any_of(face_keys.keys.begin(), face_keys.keys.end(),
+                               [](const SurfaceKeys& keys) { return keys.light_map_scale != 1; });
+  if (any) io_warnings.push_back({"_lmscale is not known", "light is measured every 16 texels"});
+}
+
 base::Result<Preparation> prepare(const formats::Bsp& bsp, const FaceKeys& face_keys,
                                   const LightOptions& options, Warnings& io_warnings) {
   TRY(std::vector<formats::Entity> entities, formats::read_entities(bsp.entities));
+  warn_of_scaled_grids(face_keys, io_warnings);
   const bool styles_changed = assign_switchable_styles(entities, io_warnings);
   const LightSettings settings = settings_of(entities, options);
   TRY(LitLevel lit, make_lit_level(unlit(bsp), face_keys));
