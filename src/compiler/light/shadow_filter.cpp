@@ -42,15 +42,21 @@ const std::vector<math::Vec3>& ShadowFilter::points_for(int per_luxel) {
   return finer_.emplace_back(FinerPoints{per_luxel, std::move(points)}).points;
 }
 
-void ShadowFilter::sample(std::span<const std::uint32_t> luxels, int per_luxel, ShareQuery query) {
-  const std::vector<math::Vec3>& from = points_for(per_luxel);
-  const auto each = static_cast<std::size_t>(per_luxel) * static_cast<std::size_t>(per_luxel);
+void ShadowFilter::ask(std::span<const std::uint32_t> luxels, const std::vector<math::Vec3>& from,
+                       std::size_t each, ShareQuery query) {
+  answers_.resize(luxels.size() * each);
+  if (answers_.size() == from.size()) return query(from, answers_);
   points_.clear();
   for (const std::uint32_t luxel : luxels)
     points_.insert(points_.end(), from.begin() + static_cast<std::ptrdiff_t>(luxel * each),
                    from.begin() + static_cast<std::ptrdiff_t>((luxel + 1) * each));
-  answers_.resize(points_.size());
   query(points_, answers_);
+}
+
+void ShadowFilter::sample(std::span<const std::uint32_t> luxels, int per_luxel, ShareQuery query) {
+  const std::vector<math::Vec3>& from = points_for(per_luxel);
+  const auto each = static_cast<std::size_t>(per_luxel) * static_cast<std::size_t>(per_luxel);
+  ask(luxels, from, each, query);
   for (std::size_t i = 0; i < luxels.size(); ++i) {
     const std::span<const math::Vec3> answers(answers_.data() + i * each, each);
     math::Vec3 sum(0.0f);
@@ -77,8 +83,12 @@ bool ShadowFilter::is_at_edge(std::uint32_t luxel) const {
 
 std::span<const math::Vec3> ShadowFilter::shares(std::span<const std::uint32_t> luxels, bool rough,
                                                  ShareQuery query) {
-  sample(luxels, rough ? 1 : sampling_.everywhere, query);
-  if (!rough && sampling_.at_edges > sampling_.everywhere) {
+  if (rough) {
+    ask(luxels, single_.points, 1, query);
+    return answers_;
+  }
+  sample(luxels, sampling_.everywhere, query);
+  if (sampling_.at_edges > sampling_.everywhere) {
     for (const std::uint32_t luxel : luxels) known_[luxel] = 1;
     at_edges_.clear();
     for (const std::uint32_t luxel : luxels)

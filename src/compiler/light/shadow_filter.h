@@ -35,8 +35,8 @@ class ShadowFilter {
 
   const SamplePlaces& luxel_places() const { return single_; }
 
-  // The shares of the luxels named by `luxels`, none of them hidden, in order; with `rough`, of one sample
-  // each. Valid until the next call.
+  // The shares of the luxels named by `luxels`, none of them hidden, each once, in rising order; with `rough`,
+  // of one sample each. Valid until the next call.
   std::span<const math::Vec3> shares(std::span<const std::uint32_t> luxels, bool rough, ShareQuery query);
 
  private:
@@ -45,6 +45,8 @@ class ShadowFilter {
     std::vector<math::Vec3> points;  // all samples of a luxel together
   };
   const std::vector<math::Vec3>& points_for(int per_luxel);
+  void ask(std::span<const std::uint32_t> luxels, const std::vector<math::Vec3>& from, std::size_t each,
+           ShareQuery query);
   void sample(std::span<const std::uint32_t> luxels, int per_luxel, ShareQuery query);
   bool is_at_edge(std::uint32_t luxel) const;
 
