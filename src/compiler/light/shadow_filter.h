@@ -35,8 +35,8 @@ class ShadowFilter {
 
   const SamplePlaces& luxel_places() const { return single_; }
 
-  // The shares of the luxels named by `luxels`, none of them hidden, each once, in rising order; with `rough`,
-  // of one sample each. Valid until the next call.
+  // The shares of the luxels named by `luxels`, none of them hidden, each once, in rising order; with
+  // `rough`, of one sample each. Valid until the next call.
   std::span<const math::Vec3> shares(std::span<const std::uint32_t> luxels, bool rough, ShareQuery query);
 
  private:
