@@ -2,14 +2,18 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 
+#include "base/bytes.h"
 #include "base/parallel_for.h"
 #include "base/result.h"
 #include "compiler/report.h"
 #include "compiler/surface_keys.h"
 #include "formats/bsp.h"
 #include "formats/lit.h"
+#include "formats/palette.h"
 
 namespace temblor::compiler {
 
@@ -17,9 +21,11 @@ namespace temblor::compiler {
 struct LightOptions {
   // Samples of a shadow for each sample of the light map, each way: 1, 2 or 4 (see light/shadow_filter.h).
   int extra = 1;
-  bool fast = false;           // neither dirt nor bounces, a tenth of the rays to the sky
-  std::optional<int> bounces;  // instead of the level's own _bounce
-  int sky_rays = 100;          // about as many directions each for the sky's dome
+  bool fast = false;             // neither dirt nor bounces, an eighth of the rays to the sky
+  std::optional<int> bounces{};  // instead of the level's own _bounce
+  std::optional<bool> dirt{};    // instead of the level's own _dirt
+  int sky_rays = 128;            // the most directions each for a dome of sky, or a sun's penumbra
+  std::optional<formats::Palette> palette{};  // for _bouncecolorscale, which without it does nothing
 };
 
 struct LightSummary {
@@ -30,11 +36,27 @@ struct LightSummary {
 };
 
 // Fills styles and light_offset of every face, `lighting`, and RGBLIGHTING where any light has a colour;
-// throws away whatever light there was. Gives switchable lights their "style" in the entity text. The bytes
-// do not depend on the number of threads. Fails on entity text that does not parse, on faces that no level
-// has, when `progress` says to stop (kUsage), and without Embree's memory; the level is then as it was.
+// throws away whatever light there was. Gives switchable lights their "style" in the entity text. A level
+// with visibility is lit faster, and alike. The bytes do not depend on the number of threads. Fails on entity
+// text that does not parse, on faces that no level has, when `progress` says to stop (kUsage), and without
+// Embree's memory; the level is then as it was.
 base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& face_keys,
                                        const LightOptions& options, base::Jobs& io_jobs, Progress progress,
                                        Warnings& io_warnings);
+
+// The same work by several processes: each makes a shard, which is faces index, index + count, ..., and one
+// of them merges all shards to what light_level would have made.
+struct LightShard {
+  std::uint32_t index = 0, count = 1;  // index < count
+};
+base::Result<base::ByteVector> light_shard(const formats::Bsp& bsp, const FaceKeys& face_keys,
+                                           const LightOptions& options, const LightShard& shard,
+                                           base::Jobs& io_jobs, Progress progress);
+
+// `shards`: all of them, in any order. kUsage where one is missing, there twice, or of another level, other
+// lights or other options.
+base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& face_keys,
+                                       const LightOptions& options, std::span<const base::Bytes> shards,
+                                       base::Jobs& io_jobs, Warnings& io_warnings);
 
 }  // namespace temblor::compiler

@@ -19,11 +19,10 @@ constexpr int kLuxelsToNode = 4;
 constexpr int kRays = 128;  // a node
 constexpr std::uint32_t kNoNode = std::numeric_limits<std::uint32_t>::max();
 constexpr float kFar = 1 << 20;  // longer than any level
-// How much of its light a grey surface sends back.
-constexpr float kReflectance = 0.5f;
-// Levels are made for bounced light that is this much brighter than that of real walls: measured on levels
-// that their makers lit with one bounce.
-constexpr float kGain = 3;
+// Levels are made for bounced light that is this bright: measured on levels that their makers lit with one
+// bounce. Of each further bounce a fifth is left, as of that from dark stone.
+constexpr float kFirstBounce = 1.125f;
+constexpr float kReflectance = 0.2f;
 
 struct NodeGrid {
   std::uint32_t first_node = 0;
@@ -66,6 +65,25 @@ BouncedWorld lay_nodes(const LitLevel& lit) {
     if (!lit.keys_of(face).takes_bounce) bounced.reflectance[face] = math::Vec3(0.0f);
   }
   return bounced;
+}
+
+// The mean colour of a texture, the strongest channel 1; white where it is black or without texels.
+math::Vec3 hue_of(const world::Texture& texture, const formats::Palette& palette) {
+  math::Vec3d sum(0.0);
+  for (const std::uint8_t texel : texture.mips[0])
+    sum += math::Vec3d(palette[texel].r, palette[texel].g, palette[texel].b);
+  const double strongest = std::max({sum.x, sum.y, sum.z});
+  return strongest > 0 ? math::Vec3(sum / strongest) : math::Vec3(1.0f);
+}
+
+void tint_by_textures(const LitLevel& lit, const BounceSettings& settings, const formats::Palette& palette,
+                      BouncedWorld& io_bounced) {
+  const world::Level& level = *lit.level;
+  std::vector<math::Vec3> hues;
+  for (const world::Texture& texture : level.textures) hues.push_back(hue_of(texture, palette));
+  for (std::size_t face = 0; face < level.faces.size(); ++face)
+    io_bounced.reflectance[face] *=
+        glm::mix(math::Vec3(1.0f), hues[base::to_size(level.faces[face].texture)], settings.colour_scale);
 }
 
 // The node of a face nearest to a point on it.
@@ -173,8 +191,10 @@ void add_to_face(const NodeGrid& grid, const std::vector<math::Vec3>& gathered, 
 }  // namespace
 
 void add_bounced_light(const LitLevel& lit, const RayScene& scene, const BounceSettings& settings,
-                       base::Jobs& io_jobs, std::vector<FaceLight>& io_light) {
-  const BouncedWorld bounced = lay_nodes(lit);
+                       const std::optional<formats::Palette>& palette, base::Jobs& io_jobs,
+                       std::vector<FaceLight>& io_light) {
+  BouncedWorld bounced = lay_nodes(lit);
+  if (palette && settings.colour_scale > 0) tint_by_textures(lit, settings, *palette, bounced);
   const std::size_t nodes = bounced.face_of_node.size();
   std::vector<std::uint32_t> seen(nodes * kRays, kNoNode);
   io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
@@ -198,7 +218,7 @@ void add_bounced_light(const LitLevel& lit, const RayScene& scene, const BounceS
       sent[node] = gathered_now[node] * bounced.reflectance[bounced.face_of_node[node]];
     }
   }
-  for (math::Vec3& light : gathered) light *= kGain * settings.scale;
+  for (math::Vec3& light : gathered) light *= kFirstBounce / kReflectance * settings.scale;
   io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
     if (bounced.grids[face].columns > 0 && lit.keys_of(face).takes_bounce)
       add_to_face(bounced.grids[face], gathered, io_light[face]);

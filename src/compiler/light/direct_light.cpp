@@ -30,17 +30,18 @@ Sphere sphere_around(std::span<const math::Vec3> points) {
 }
 
 // What stands up into a brush of sky is drawn there.
-bool lies_in_sky(const LitLevel& lit, std::span<const math::Vec3> places) {
-  return std::any_of(places.begin(), places.end(), [&](const math::Vec3& place) {
-    return world::point_contents(*lit.level, place) == world::Contents::kSky;
+bool lies_in_sky(const world::Level& level, std::span<const world::LeafIndex> leafs) {
+  return std::any_of(leafs.begin(), leafs.end(), [&](world::LeafIndex leaf) {
+    return level.leaf(leaf).contents == world::Contents::kSky;
   });
 }
 
 // Gives luxels that lie within something solid the mean of their neighbours, ring by ring, so that what is
 // seen of them fades into the rest. All stays as it is where all are hidden.
-void fill_hidden(int width, int height, std::span<const std::uint8_t> hidden,
-                 std::span<math::Vec3> io_samples) {
-  std::vector<std::uint8_t> unknown(hidden.begin(), hidden.end());
+void fill_hidden(const LightGrid& grid, const SamplePlaces& places, std::span<math::Vec3> io_samples) {
+  std::vector<std::uint8_t> unknown;
+  for (std::size_t i = 0; i < places.leafs.size(); ++i) unknown.push_back(places.is_hidden(i) ? 1 : 0);
+  const int width = grid.width, height = grid.height;
   const auto left = [&] { return std::count(unknown.begin(), unknown.end(), std::uint8_t{1}); };
   for (auto before = left(); before > 0 && before < static_cast<std::ptrdiff_t>(unknown.size());) {
     const std::vector<std::uint8_t> was_unknown = unknown;
@@ -69,28 +70,40 @@ void fill_hidden(int width, int height, std::span<const std::uint8_t> hidden,
 
 class FaceLighter {
  public:
-  FaceLighter(const DirectLightInput& input, std::size_t face)
+  FaceLighter(const DirectLightInput& input, LightGrid grid, SamplePlaces places)
       : input_(input),
-        grid_(make_light_grid(input.lit, face)),
-        filter_(input.lit, input.scene, grid_, input.sampling),
+        grid_(std::move(grid)),
+        filter_(input.lit, input.scene, grid_, input.sampling, std::move(places)),
         places_(filter_.luxel_places().points),
-        hidden_(filter_.luxel_places().hidden),
         bounds_(sphere_around(places_)),
         flat_normal_(grid_.normal),
-        is_flat_(!input.phong.is_curved(face)),
-        is_in_sky_(lies_in_sky(input.lit, places_)),
+        is_flat_(!input.phong.is_curved(grid_.face) || grid_.corners_world.size() < 3),
+        is_in_sky_(lies_in_sky(*input.lit.level, filter_.luxel_places().leafs)),
         unshadowed_(places_.size()) {
     if (!is_flat_ || input.settings.dirt.on) set_normals();
-    if (input.settings.dirt.on && input.lit.keys_of(face).takes_dirt)
+    if (input.settings.dirt.on && input.lit.keys_of(grid_.face).takes_dirt)
       light_.dirt = dirt_at(input.scene, places_, normals_, input.settings.dirt);
   }
 
+  void add_all() {
+    const std::vector<world::LeafIndex> leafs = input_.sight.leafs_of(grid_.face, filter_.luxel_places());
+    for (std::size_t i = 0; i < input_.lights.size(); ++i)
+      if (may_reach(input_.lights[i]) && input_.sight.light_may_reach(i, leafs)) add(input_.lights[i]);
+    if (!input_.scene.has_sky() || !input_.sight.sky_may_reach(leafs)) return;
+    for (const SkyBeam& beam : input_.beams) add(beam);
+  }
+
+  FaceLight take() && {
+    for (LightLayer& layer : light_.layers) fill_hidden(grid_, filter_.luxel_places(), layer.samples);
+    return std::move(light_);
+  }
+
+ private:
   void add(const LightSource& light) {
-    if (!may_reach(light)) return;
     lit_luxels_.clear();
     float brightest = 0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      unshadowed_[i] = hidden_[i] != 0 ? 0 : value_of(light, i);
+      unshadowed_[i] = is_hidden(i) ? 0 : value_of(light, i);
       if (std::abs(unshadowed_[i]) <= kLightGate) continue;
       lit_luxels_.push_back(static_cast<std::uint32_t>(i));
       brightest = std::max(brightest, std::abs(unshadowed_[i]));
@@ -111,7 +124,7 @@ class FaceLighter {
     lit_luxels_.clear();
     for (std::size_t i = 0; i < places_.size(); ++i) {
       unshadowed_[i] = beam.value * angle_factor(beam.angle_scale, glm::dot(normal_of(i), beam.towards_sky));
-      if (unshadowed_[i] != 0 && hidden_[i] == 0) lit_luxels_.push_back(static_cast<std::uint32_t>(i));
+      if (unshadowed_[i] != 0 && !is_hidden(i)) lit_luxels_.push_back(static_cast<std::uint32_t>(i));
     }
     if (lit_luxels_.empty()) return;
     const auto shares = filter_.shares(lit_luxels_, is_rough(std::abs(beam.value)),
@@ -125,12 +138,6 @@ class FaceLighter {
             beam.takes_dirt);
   }
 
-  FaceLight take() && {
-    for (LightLayer& layer : light_.layers) fill_hidden(grid_.width, grid_.height, hidden_, layer.samples);
-    return std::move(light_);
-  }
-
- private:
   void set_normals() {
     normals_.reserve(places_.size());
     for (int row = 0; row < grid_.height; ++row)
@@ -138,6 +145,7 @@ class FaceLighter {
         normals_.push_back(input_.phong.at(
             grid_, grid_.origin_world + grid_.column_step * double(column) + grid_.row_step * double(row)));
   }
+  bool is_hidden(std::size_t luxel) const { return filter_.luxel_places().is_hidden(luxel); }
   const math::Vec3& normal_of(std::size_t luxel) const { return is_flat_ ? flat_normal_ : normals_[luxel]; }
   bool is_rough(float brightest) const { return brightest * input_.settings.range < kRoughBelow; }
 
@@ -180,7 +188,6 @@ class FaceLighter {
   LightGrid grid_;
   ShadowFilter filter_;
   std::span<const math::Vec3> places_;
-  std::span<const std::uint8_t> hidden_;
   Sphere bounds_;
   math::Vec3 flat_normal_;
   bool is_flat_, is_in_sky_;
@@ -190,15 +197,55 @@ class FaceLighter {
   FaceLight light_;
 };
 
+// One luxel in the middle of the face's model.
+SamplePlaces place_in_middle(const LitLevel& lit, std::size_t face) {
+  const math::Bounds& bounds = lit.level->models[lit.model_of_face[face]].bounds;
+  SamplePlaces places;
+  places.points.push_back((bounds.mins + bounds.maxs) * 0.5f + lit.offset_of(face));
+  const world::LeafIndex leaf = world::find_leaf(*lit.level, places.points[0]);
+  const bool solid = lit.level->leaf(leaf).contents == world::Contents::kSolid;
+  places.leafs.push_back(solid ? world::LeafIndex{0} : leaf);
+  return places;
+}
+
+// For a face of a brush model with all of its luxels inside something solid, as the sides of a closed door:
+// the mean light in the model's middle, from all six sides, for every luxel.
+FaceLight light_in_middle(const DirectLightInput& input, const LightGrid& grid) {
+  FaceLight mean;
+  for (int side = 0; side < 6; ++side) {
+    LightGrid single;
+    single.face = grid.face;
+    single.width = single.height = 1;
+    single.normal[side / 2] = side % 2 == 0 ? 1 : -1;
+    SamplePlaces middle = place_in_middle(input.lit, grid.face);
+    single.corners_world = {math::Vec3d(middle.points[0])};  // a point, and so flat
+    if (middle.is_hidden(0)) return {};
+    FaceLighter lighter(input, std::move(single), std::move(middle));
+    lighter.add_all();
+    for (const LightLayer& layer : std::move(lighter).take().layers)
+      for (math::Vec3& sample : mean.layer(layer.style, layer.kind, grid.size()).samples)
+        sample += layer.samples[0] / 6.0f;
+  }
+  return mean;
+}
+
+bool are_all_hidden(const SamplePlaces& places) {
+  for (std::size_t i = 0; i < places.leafs.size(); ++i)
+    if (!places.is_hidden(i)) return false;
+  return true;
+}
+
 }  // namespace
 
 FaceLight direct_light_of(const DirectLightInput& input, std::size_t face) {
-  FaceLighter lighter(input, face);
-  if (!input.lit.keys_of(face).ignores_light) {
-    for (const LightSource& light : input.lights) lighter.add(light);
-    if (input.scene.has_sky())
-      for (const SkyBeam& beam : input.beams) lighter.add(beam);
-  }
+  const LitLevel& lit = input.lit;
+  LightGrid grid = make_light_grid(lit, face);
+  SamplePlaces places = sample_places(lit, input.scene, grid, 1);
+  const bool takes_light = !lit.keys_of(face).ignores_light;
+  if (takes_light && lit.model_of_face[face] != 0 && are_all_hidden(places))
+    return light_in_middle(input, grid);
+  FaceLighter lighter(input, std::move(grid), std::move(places));
+  if (takes_light) lighter.add_all();
   return std::move(lighter).take();
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/light/face_light.h"
+#include "compiler/light/leaf_sight.h"
 #include "compiler/light/light_source.h"
 #include "compiler/light/lit_level.h"
 #include "compiler/light/phong.h"
@@ -19,6 +20,7 @@ struct DirectLightInput {
   const LitLevel& lit;
   const RayScene& scene;
   const PhongNormals& phong;
+  const LeafSight& sight;  // of `lights`
   const LightSettings& settings;
   std::span<const LightSource> lights;
   std::span<const SkyBeam> beams;

@@ -13,7 +13,7 @@ namespace temblor::compiler {
 namespace {
 
 constexpr std::size_t kLanes = 16;
-constexpr float kLossOfNone = 65536;  // steps for each factor of e
+constexpr float kLossSteps = 65536;  // for each factor of e
 constexpr float kLeastShare = 1.0f / 1024;
 constexpr std::uint8_t kHole = 255;  // the palette index that is not drawn
 
@@ -26,13 +26,31 @@ struct ReleaseScene {
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
 using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
 
-struct Losses {
-  std::array<std::array<std::int32_t, 3>, kLanes> lane{};
+// The panes that a ray has been through: Embree may show it the same one again, and on a face's diagonal it
+// meets two triangles. Behind so many more of them make no difference.
+struct PassedPanes {
+  std::array<std::uint32_t, 12> surfaces;  // the first `count` of them
+  std::size_t count = 0;
+
+  // False where the pane is known, or there is no room.
+  bool add(std::uint32_t surface) {
+    const auto end = surfaces.begin() + static_cast<std::ptrdiff_t>(count);
+    if (count == surfaces.size() || std::find(surfaces.begin(), end, surface) != end) return false;
+    surfaces[count++] = surface;
+    return true;
+  }
 };
-// Embree hands the first member on to filters.
-struct FilteringContext {
+
+// What filters note down for each lane. Embree hands the first member on to them.
+struct LossContext {
   EmbreeContext embree;
-  Losses losses;
+  std::array<std::array<std::int32_t, 3>, kLanes> lost{};
+  std::array<PassedPanes, kLanes> passed{};
+};
+struct TieContext {
+  EmbreeContext embree;
+  std::array<float, kLanes> distance{};  // of the hit that stands; below 0: none
+  std::array<std::uint32_t, kLanes> surface{};
 };
 
 std::uint32_t wrapped_texel(float coordinate, std::uint32_t size) {
@@ -74,7 +92,7 @@ struct SieveSet {
 
 void pass_sieves(const RTCFilterFunctionNArguments* arguments) {
   const auto& sieves = *static_cast<const SieveSet*>(arguments->geometryUserPtr);
-  auto& losses = reinterpret_cast<FilteringContext*>(arguments->context)->losses;
+  auto& losses = *reinterpret_cast<LossContext*>(arguments->context);
   const unsigned lanes = arguments->N;
   for (unsigned i = 0; i < lanes; ++i) {
     if (arguments->valid[i] == 0) continue;
@@ -83,14 +101,15 @@ void pass_sieves(const RTCFilterFunctionNArguments* arguments) {
     const math::Vec3 origin(RTCRayN_org_x(arguments->ray, lanes, i), RTCRayN_org_y(arguments->ray, lanes, i),
                             RTCRayN_org_z(arguments->ray, lanes, i));
     const math::Vec3 point = origin + direction * RTCRayN_tfar(arguments->ray, lanes, i);
-    const SieveSurface& surface = sieves.surfaces[sieves.triangles[triangle].surface];
-    const math::Vec3 share = share_through(surface, point, direction);
+    const std::uint32_t number = sieves.triangles[triangle].surface;
+    const math::Vec3 share = share_through(sieves.surfaces[number], point, direction);
     if (std::max({share.x, share.y, share.z}) < kLeastShare) continue;  // stays hit
-    auto& lost = losses.lane[RTCRayN_id(arguments->ray, lanes, i)];
-    for (int channel = 0; channel < 3; ++channel)
-      lost[static_cast<std::size_t>(channel)] -= static_cast<std::int32_t>(
-          std::lround(std::log(std::max(share[channel], kLeastShare)) * kLossOfNone));
     arguments->valid[i] = 0;
+    const unsigned lane = RTCRayN_id(arguments->ray, lanes, i);
+    if (share == math::Vec3(1.0f) || !losses.passed[lane].add(number)) continue;
+    for (int channel = 0; channel < 3; ++channel)
+      losses.lost[lane][static_cast<std::size_t>(channel)] -= static_cast<std::int32_t>(
+          std::lround(std::log(std::max(share[channel], kLeastShare)) * kLossSteps));
   }
 }
 
@@ -106,11 +125,30 @@ void turn_down_back_sides(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
+// Of hits at the same distance that of the lowest surface stands, in whatever order they are found.
+void break_ties(const RTCFilterFunctionNArguments* arguments) {
+  const auto& triangles = *static_cast<const std::vector<OccluderTriangle>*>(arguments->geometryUserPtr);
+  auto& ties = *reinterpret_cast<TieContext*>(arguments->context);
+  const unsigned lanes = arguments->N;
+  for (unsigned i = 0; i < lanes; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const unsigned lane = RTCRayN_id(arguments->ray, lanes, i);
+    const float distance = RTCRayN_tfar(arguments->ray, lanes, i);
+    const std::uint32_t surface = triangles[RTCHitN_primID(arguments->hit, lanes, i)].surface;
+    if (distance == ties.distance[lane] && surface > ties.surface[lane]) {
+      arguments->valid[i] = 0;
+      continue;
+    }
+    ties.distance[lane] = distance;
+    ties.surface[lane] = surface;
+  }
+}
+
 math::Vec3 share_after(const std::array<std::int32_t, 3>& lost) {
   if (lost == std::array<std::int32_t, 3>{}) return math::Vec3(1.0f);
   math::Vec3 share;
   for (int channel = 0; channel < 3; ++channel)
-    share[channel] = std::exp(static_cast<float>(-lost[static_cast<std::size_t>(channel)]) / kLossOfNone);
+    share[channel] = std::exp(static_cast<float>(-lost[static_cast<std::size_t>(channel)]) / kLossSteps);
   return share;
 }
 
@@ -196,14 +234,13 @@ struct RayScene::Scenes {
 
   // Shares of the rays that `mask` names; the others' are left alone.
   void shares(const LaneMask& mask, RTCRay16& io_rays, math::Vec3* out_share) const {
-    FilteringContext context;
+    LossContext context;
     init_context(context.embree);
-    context.losses = {};
     occluded16(mask.lane.data(), blockers.get(), context.embree, io_rays);
     for (std::size_t i = 0; i < kLanes; ++i) {
       if (mask.lane[i] == 0) continue;
       // Embree sets tfar to minus infinity where a ray is blocked.
-      out_share[i] = io_rays.tfar[i] < 0 ? math::Vec3(0.0f) : share_after(context.losses.lane[i]);
+      out_share[i] = io_rays.tfar[i] < 0 ? math::Vec3(0.0f) : share_after(context.lost[i]);
     }
   }
 };
@@ -224,7 +261,8 @@ base::Result<RayScene> RayScene::make(Occluders occluders) {
   scenes->opaque_triangles = std::move(occluders.opaque);
   scenes->skies = {std::move(occluders.skies), std::move(occluders.sky_normals)};
   scenes->opaque = make_scene(device);
-  add_triangles(device, scenes->opaque.get(), occluders.vertices, scenes->opaque_triangles, {});
+  add_triangles(device, scenes->opaque.get(), occluders.vertices, scenes->opaque_triangles,
+                {&scenes->opaque_triangles, nullptr, break_ties});
   scenes->blockers = make_scene(device);
   add_triangles(device, scenes->blockers.get(), occluders.vertices, scenes->opaque_triangles, {});
   add_triangles(device, scenes->blockers.get(), occluders.vertices, scenes->sieves.triangles,
@@ -295,17 +333,18 @@ void RayScene::nearest(std::span<const math::Vec3> points, std::span<const math:
                        float max_distance, std::span<RayHit> out_hits) const {
   CHECK(points.size() == directions.size() && points.size() == out_hits.size());
   RTCRayHit16 rays;
-  EmbreeContext context;
-  init_context(context);
+  TieContext context;
+  init_context(context.embree);
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, points.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
       set_lane(rays.ray, i, points[first + i], directions[first + i], max_distance);
       rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
+    context.distance.fill(-1);
     fill_lanes(rays.ray, count);
     const LaneMask mask = first_lanes(count);
-    intersect16(mask.lane.data(), scenes_->opaque.get(), context, rays);
+    intersect16(mask.lane.data(), scenes_->opaque.get(), context.embree, rays);
     for (std::size_t i = 0; i < count; ++i) {
       const bool hit = rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
       out_hits[first + i] = {rays.ray.tfar[i],

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "world/face_at.h"
 #include "world/visibility.h"
@@ -44,17 +43,29 @@ math::Vec3d inside_face(const LightGrid& grid, const math::Vec3d& point) {
   return length > 0 ? nearest + inwards * std::min(1.0, 2 * kMargin / length) : nearest;
 }
 
-bool in_open(const world::Level& level, const math::Vec3d& place) {
-  return world::point_contents(level, math::Vec3(place)) != world::Contents::kSolid;
+struct OpenPlace {
+  math::Vec3d place{0.0};
+  world::LeafIndex leaf{0};
+};
+
+// The place and its leaf; leaf 0 where that is solid.
+OpenPlace look_at(const world::Level& level, const math::Vec3d& place) {
+  const world::LeafIndex leaf = world::find_leaf(level, math::Vec3(place));
+  const bool solid = level.leaf(leaf).contents == world::Contents::kSolid;
+  return {place, solid ? world::LeafIndex{0} : leaf};
 }
 
-// `place` moved towards the face's middle until it is in the open; nothing where nothing is.
-std::optional<math::Vec3d> moved_into_open(const world::Level& level, const math::Vec3d& place,
-                                           const math::Vec3d& middle) {
+bool is_open(const OpenPlace& place) {
+  return place.leaf != world::LeafIndex{0};
+}
+
+// `place` moved towards the face's middle until it is in the open; where nothing is, `place` itself.
+OpenPlace moved_into_open(const world::Level& level, const math::Vec3d& place, const math::Vec3d& middle) {
   constexpr std::array<double, 6> kTries{0.0, 0.02, 0.1, 0.25, 0.5, 1.0};
   for (const double share : kTries)
-    if (const math::Vec3d moved = place + (middle - place) * share; in_open(level, moved)) return moved;
-  return std::nullopt;
+    if (const OpenPlace moved = look_at(level, place + (middle - place) * share); is_open(moved))
+      return moved;
+  return {place, world::LeafIndex{0}};
 }
 
 // From `start` towards `end`, as far as nothing is in the way.
@@ -73,13 +84,13 @@ void add_place(const LitLevel& lit, const RayScene& scene, const LightGrid& grid
   const world::Level& level = *lit.level;
   const math::Vec3d lift = grid.normal * kLift;
   const math::Vec3d inside = inside_face(grid, on_plane);
-  const std::optional<math::Vec3d> start = moved_into_open(level, inside + lift, grid.middle_world + lift);
-  math::Vec3d place = start.value_or(inside + lift);
-  if (start && inside != on_plane)
-    if (const math::Vec3d farther = farthest_open(scene, *start, on_plane + lift); in_open(level, farther))
+  OpenPlace place = moved_into_open(level, inside + lift, grid.middle_world + lift);
+  if (is_open(place) && inside != on_plane)
+    if (const OpenPlace farther = look_at(level, farthest_open(scene, place.place, on_plane + lift));
+        is_open(farther))
       place = farther;
-  io_places.points.emplace_back(place);
-  io_places.hidden.push_back(start ? 0 : 1);
+  io_places.points.emplace_back(place.place);
+  io_places.leafs.push_back(place.leaf);
 }
 
 }  // namespace
@@ -119,7 +130,7 @@ SamplePlaces sample_places(const LitLevel& lit, const RayScene& scene, const Lig
   const int columns = grid.width * per_luxel, rows = grid.height * per_luxel;
   const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   places.points.reserve(count);
-  places.hidden.reserve(count);
+  places.leafs.reserve(count);
   // The middle of part i of the square around its luxel.
   const auto along = [&](int i) { return (i + 0.5) / per_luxel - 0.5; };
   for (int row = 0; row < rows; ++row)

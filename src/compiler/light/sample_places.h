@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "compiler/light/lit_level.h"
 #include "compiler/light/ray_scene.h"
 #include "math/vec.h"
+#include "world/level.h"
 
 namespace temblor::compiler {
 
@@ -29,7 +29,9 @@ LightGrid make_light_grid(const LitLevel& lit, std::size_t face);
 
 struct SamplePlaces {
   std::vector<math::Vec3> points;
-  std::vector<std::uint8_t> hidden;  // 1: within something solid, with nothing open to be found near
+  std::vector<world::LeafIndex> leafs;  // leaf 0: within something solid, with nothing open to be found near
+
+  bool is_hidden(std::size_t i) const { return leafs[i] == world::LeafIndex{0}; }
 };
 
 // The open place for every sample of the grid, `per_luxel` each way, row by row; a luxel stands for the

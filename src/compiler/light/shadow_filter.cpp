@@ -1,6 +1,7 @@
 #include "compiler/light/shadow_filter.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace temblor::compiler {
 
@@ -11,61 +12,61 @@ ShadowSampling shadow_sampling(int extra) {
 }
 
 ShadowFilter::ShadowFilter(const LitLevel& lit, const RayScene& scene, const LightGrid& grid,
-                           ShadowSampling sampling)
+                           ShadowSampling sampling, SamplePlaces luxel_places)
     : lit_(lit),
       scene_(scene),
       grid_(grid),
       sampling_(sampling),
-      single_(sample_places(lit, scene, grid, 1)),
+      single_(std::move(luxel_places)),
       share_of_luxel_(grid.size()),
       known_(grid.size()),
       mixed_(grid.size()) {}
 
-const SamplePlaces& ShadowFilter::places(int per_luxel) {
-  if (per_luxel == 1) return single_;
-  for (const Places& finer : finer_)
-    if (finer.per_luxel == per_luxel) return finer.places;
+const std::vector<math::Vec3>& ShadowFilter::points_for(int per_luxel) {
+  if (per_luxel == 1) return single_.points;
+  for (const FinerPoints& finer : finer_)
+    if (finer.per_luxel == per_luxel) return finer.points;
   const SamplePlaces rows = sample_places(lit_, scene_, grid_, per_luxel);
-  SamplePlaces places;
-  places.points.reserve(rows.points.size());
-  places.hidden.reserve(rows.points.size());
+  std::vector<math::Vec3> points;
+  points.reserve(rows.points.size());
   const int columns = grid_.width * per_luxel;
   for (int luxel = 0; luxel < grid_.width * grid_.height; ++luxel)
     for (int i = 0; i < per_luxel * per_luxel; ++i) {
       const int column = luxel % grid_.width * per_luxel + i % per_luxel;
       const int row = luxel / grid_.width * per_luxel + i / per_luxel;
       const auto from = static_cast<std::size_t>(row * columns + column);
-      places.points.push_back(rows.points[from]);
-      places.hidden.push_back(rows.hidden[from]);
+      // A part in a corner where nothing is open counts as the luxel's middle.
+      const bool hidden = rows.is_hidden(from);
+      points.push_back(hidden ? single_.points[static_cast<std::size_t>(luxel)] : rows.points[from]);
     }
-  return finer_.emplace_back(Places{per_luxel, std::move(places)}).places;
+  return finer_.emplace_back(FinerPoints{per_luxel, std::move(points)}).points;
+}
+
+void ShadowFilter::ask(std::span<const std::uint32_t> luxels, const std::vector<math::Vec3>& from,
+                       std::size_t each, ShareQuery query) {
+  answers_.resize(luxels.size() * each);
+  if (answers_.size() == from.size()) return query(from, answers_);
+  points_.clear();
+  for (const std::uint32_t luxel : luxels)
+    points_.insert(points_.end(), from.begin() + static_cast<std::ptrdiff_t>(luxel * each),
+                   from.begin() + static_cast<std::ptrdiff_t>((luxel + 1) * each));
+  query(points_, answers_);
 }
 
 void ShadowFilter::sample(std::span<const std::uint32_t> luxels, int per_luxel, ShareQuery query) {
-  const SamplePlaces& from = places(per_luxel);
+  const std::vector<math::Vec3>& from = points_for(per_luxel);
   const auto each = static_cast<std::size_t>(per_luxel) * static_cast<std::size_t>(per_luxel);
-  points_.clear();
-  for (const std::uint32_t luxel : luxels)
-    points_.insert(points_.end(), from.points.begin() + static_cast<std::ptrdiff_t>(luxel * each),
-                   from.points.begin() + static_cast<std::ptrdiff_t>((luxel + 1) * each));
-  answers_.resize(points_.size());
-  query(points_, answers_);
+  ask(luxels, from, each, query);
   for (std::size_t i = 0; i < luxels.size(); ++i) {
-    const std::size_t luxel = luxels[i];
-    math::Vec3 sum(0.0f), first(0.0f);
-    float count = 0;
+    const std::span<const math::Vec3> answers(answers_.data() + i * each, each);
+    math::Vec3 sum(0.0f);
     bool mixed = false;
-    for (std::size_t k = 0; k < each; ++k) {
-      if (from.hidden[luxel * each + k] != 0) continue;
-      const math::Vec3& answer = answers_[i * each + k];
-      if (count == 0) first = answer;
-      mixed = mixed || answer != first;
+    for (const math::Vec3& answer : answers) {
       sum += answer;
-      ++count;
+      mixed = mixed || answer != answers[0];
     }
-    // A luxel with an open middle may have all of its parts hidden in corners.
-    if (count > 0) share_of_luxel_[luxel] = sum / count;
-    mixed_[luxel] = mixed;
+    share_of_luxel_[luxels[i]] = sum / static_cast<float>(each);
+    mixed_[luxels[i]] = mixed;
   }
 }
 
@@ -82,8 +83,12 @@ bool ShadowFilter::is_at_edge(std::uint32_t luxel) const {
 
 std::span<const math::Vec3> ShadowFilter::shares(std::span<const std::uint32_t> luxels, bool rough,
                                                  ShareQuery query) {
-  sample(luxels, rough ? 1 : sampling_.everywhere, query);
-  if (!rough && sampling_.at_edges > sampling_.everywhere) {
+  if (rough) {
+    ask(luxels, single_.points, 1, query);
+    return answers_;
+  }
+  sample(luxels, sampling_.everywhere, query);
+  if (sampling_.at_edges > sampling_.everywhere) {
     for (const std::uint32_t luxel : luxels) known_[luxel] = 1;
     at_edges_.clear();
     for (const std::uint32_t luxel : luxels)

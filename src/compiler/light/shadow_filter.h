@@ -26,23 +26,27 @@ ShadowSampling shadow_sampling(int extra);
 using ShareQuery =
     base::FunctionRef<void(std::span<const math::Vec3> points, std::span<math::Vec3> out_share)>;
 
-// For one face; keeps its samples' places from one light to the next. Used by one thread.
+// For one face; keeps its samples' places from one light to the next. Used by one thread. `luxel_places` are
+// those of sample_places with one sample a luxel.
 class ShadowFilter {
  public:
-  ShadowFilter(const LitLevel& lit, const RayScene& scene, const LightGrid& grid, ShadowSampling sampling);
+  ShadowFilter(const LitLevel& lit, const RayScene& scene, const LightGrid& grid, ShadowSampling sampling,
+               SamplePlaces luxel_places);
 
   const SamplePlaces& luxel_places() const { return single_; }
 
-  // The shares of the luxels named by `luxels`, none of them hidden, in order; with `rough`, of one sample
-  // each. Valid until the next call.
+  // The shares of the luxels named by `luxels`, none of them hidden, each once, in rising order; with
+  // `rough`, of one sample each. Valid until the next call.
   std::span<const math::Vec3> shares(std::span<const std::uint32_t> luxels, bool rough, ShareQuery query);
 
  private:
-  struct Places {
+  struct FinerPoints {
     int per_luxel = 0;
-    SamplePlaces places;  // all samples of a luxel together
+    std::vector<math::Vec3> points;  // all samples of a luxel together
   };
-  const SamplePlaces& places(int per_luxel);
+  const std::vector<math::Vec3>& points_for(int per_luxel);
+  void ask(std::span<const std::uint32_t> luxels, const std::vector<math::Vec3>& from, std::size_t each,
+           ShareQuery query);
   void sample(std::span<const std::uint32_t> luxels, int per_luxel, ShareQuery query);
   bool is_at_edge(std::uint32_t luxel) const;
 
@@ -51,7 +55,7 @@ class ShadowFilter {
   const LightGrid& grid_;
   ShadowSampling sampling_;
   SamplePlaces single_;
-  std::vector<Places> finer_;
+  std::vector<FinerPoints> finer_;
   std::vector<math::Vec3> points_, answers_;  // of the samples asked for
   std::vector<math::Vec3> share_of_luxel_;    // of the whole grid
   std::vector<std::uint8_t> known_, mixed_;   // of the whole grid

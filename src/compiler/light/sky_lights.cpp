@@ -13,6 +13,13 @@
 namespace temblor::compiler {
 namespace {
 
+constexpr int kLeastBeams = 32;
+
+struct SkySampling {
+  int most_beams;
+  float range;  // from light to light map
+};
+
 struct SunKeys {
   float value = 0;
   math::Vec3 colour{1.0f};
@@ -27,9 +34,17 @@ bool takes_dirt(const LightSettings& settings, float key) {
   return settings.dirt.on && key >= 0;
 }
 
-void add_sun(const SunKeys& sun, int rays, std::vector<SkyBeam>& io_beams) {
+// Beams for light of that value: each is about one step of the light map.
+int beams_for(const SunKeys& sun, const SkySampling& sampling) {
+  const float steps = std::abs(sun.value) * sampling.range;
+  const int least = std::min(kLeastBeams, sampling.most_beams);
+  return static_cast<int>(
+      std::clamp(steps, static_cast<float>(least), static_cast<float>(sampling.most_beams)));
+}
+
+void add_sun(const SunKeys& sun, const SkySampling& sampling, std::vector<SkyBeam>& io_beams) {
   if (sun.value == 0) return;
-  const int beams = sun.penumbra_deg > 0 ? std::max(1, rays) : 1;
+  const int beams = sun.penumbra_deg > 0 ? beams_for(sun, sampling) : 1;
   const double cos_edge = std::cos(double{std::min(sun.penumbra_deg, 180.0f)} / 2 * std::numbers::pi / 180);
   const Frame frame = frame_around(sun.towards_sky);
   for (int i = 0; i < beams; ++i) {
@@ -41,9 +56,9 @@ void add_sun(const SunKeys& sun, int rays, std::vector<SkyBeam>& io_beams) {
 }
 
 // `up`: 1 for the dome above, -1 for the one below.
-void add_dome(const SunKeys& dome, float up, int rays, std::vector<SkyBeam>& io_beams) {
+void add_dome(const SunKeys& dome, float up, const SkySampling& sampling, std::vector<SkyBeam>& io_beams) {
   if (dome.value == 0) return;
-  const int beams = std::max(1, rays);
+  const int beams = beams_for(dome, sampling);
   for (int i = 0; i < beams; ++i) {
     const math::Vec3 direction = cap_direction(i, beams, 0);
     io_beams.push_back({{direction.x, direction.y, direction.z * up},
@@ -60,7 +75,7 @@ math::Vec3 towards_sky_of(const formats::Entity& entity, std::string_view key, c
   return shines ? -*shines : otherwise;
 }
 
-void add_world_sky(const formats::Entity& world, const LightSettings& settings, int rays,
+void add_world_sky(const formats::Entity& world, const LightSettings& settings, const SkySampling& sampling,
                    std::vector<SkyBeam>& io_beams) {
   constexpr math::Vec3 kWhite(1.0f);
   SunKeys sun;
@@ -71,28 +86,29 @@ void add_world_sky(const formats::Entity& world, const LightSettings& settings, 
   sun.penumbra_deg = number_or(world, "sunlight_penumbra", 0);
   sun.angle_scale = settings.angle_scale;
   sun.takes_dirt = takes_dirt(settings, number_or(world, "sunlight_dirt", 0));
-  add_sun(sun, rays, io_beams);
+  add_sun(sun, sampling, io_beams);
 
   SunKeys second = sun;
   second.value = number_or(world, "sun2", 0);
   second.colour = colour_of(world, "sun2_color").value_or(kWhite);
   second.towards_sky = towards_sky_of(world, "sun2_mangle", math::Vec3(0, 0, 1));
-  add_sun(second, rays, io_beams);
+  add_sun(second, sampling, io_beams);
 
   SunKeys dome = sun;
   dome.value = number_or(world, "sunlight2", 0);
   dome.colour =
       colour_of(world, "sunlight2_color").value_or(colour_of(world, "sunlight_color2").value_or(kWhite));
   dome.takes_dirt = takes_dirt(settings, number_or(world, "sunlight2_dirt", 0));
-  add_dome(dome, 1, rays, io_beams);
+  add_dome(dome, 1, sampling, io_beams);
   dome.value = number_or(world, "sunlight3", 0);
   dome.colour =
       colour_of(world, "sunlight3_color").value_or(colour_of(world, "sunlight_color3").value_or(kWhite));
-  add_dome(dome, -1, rays, io_beams);
+  add_dome(dome, -1, sampling, io_beams);
 }
 
 void add_entity_sky(std::span<const formats::Entity> entities, const formats::Entity& entity,
-                    const LightSettings& settings, int rays, std::vector<SkyBeam>& io_beams) {
+                    const LightSettings& settings, const SkySampling& sampling,
+                    std::vector<SkyBeam>& io_beams) {
   SunKeys sun;
   sun.value = number_or(entity, "light", 300);
   sun.colour = colour_of(entity, "color").value_or(math::Vec3(1.0f));
@@ -110,21 +126,22 @@ void add_entity_sky(std::span<const formats::Entity> entities, const formats::En
     break;
   }
   if (number_or(entity, "sunlight2", 0) > 0)
-    add_dome(sun, 1, rays, io_beams);
+    add_dome(sun, 1, sampling, io_beams);
   else if (number_or(entity, "sunlight3", 0) > 0)
-    add_dome(sun, -1, rays, io_beams);
+    add_dome(sun, -1, sampling, io_beams);
   else if (number_or(entity, "sun", 0) > 0)
-    add_sun(sun, rays, io_beams);
+    add_sun(sun, sampling, io_beams);
 }
 
 }  // namespace
 
 std::vector<SkyBeam> sky_beams_of(std::span<const formats::Entity> entities, const LightSettings& settings,
-                                  int rays) {
+                                  int most_beams) {
+  const SkySampling sampling{std::max(1, most_beams), settings.range};
   std::vector<SkyBeam> beams;
   for (const formats::Entity& entity : entities) {
-    if (entity.classname() == "worldspawn") add_world_sky(entity, settings, rays, beams);
-    if (is_light(entity)) add_entity_sky(entities, entity, settings, rays, beams);
+    if (entity.classname() == "worldspawn") add_world_sky(entity, settings, sampling, beams);
+    if (is_light(entity)) add_entity_sky(entities, entity, settings, sampling, beams);
   }
   return beams;
 }

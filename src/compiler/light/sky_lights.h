@@ -22,8 +22,10 @@ struct SkyBeam {
 };
 
 // worldspawn's _sunlight, _sun2, _sunlight2 and _sunlight3, and those of light entities (_sun, _sunlight2,
-// _sunlight3). A sun with a penumbra is several beams; a dome is about `rays` of them, over the hemisphere.
+// _sunlight3). A sun with a penumbra is several beams, a
+// dome as many over its hemisphere: so many that each is about one step of the light map, but no more than
+// `most_beams`.
 std::vector<SkyBeam> sky_beams_of(std::span<const formats::Entity> entities, const LightSettings& settings,
-                                  int rays);
+                                  int most_beams);
 
 }  // namespace temblor::compiler
