@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/room_map.h"
 #include "formats/bsp_validate.h"
 #include "formats/entities.h"
 #include "support/random.h"
+#include "support/room_map.h"
 #include "world/trace.h"
 
 namespace temblor::test {
