@@ -32,19 +32,14 @@ class PortalMaker {
   }
 
  private:
-  // A child of a node on the way down, and what lies outside of it.
-  struct Ancestor {
-    PlaneIndex outside;
-  };
-
   void visit(std::int32_t number) {
     const TreeNode& node = tree_.nodes[static_cast<std::size_t>(number)];
     const Plane& plane = planes_[node.plane];
     Winding winding = whole_plane(plane);
     for (const Plane& wall : walls_) cut_to_back(winding, wall, true);
     // From the node upwards: the nearest ancestors cut off most.
-    for (std::size_t i = ancestors_.size(); i-- > 0 && !winding.empty();)
-      cut_to_back(winding, planes_[ancestors_[i].outside], true);
+    for (std::size_t i = outsides_.size(); i-- > 0 && !winding.empty();)
+      cut_to_back(winding, planes_[outsides_[i]], true);
     if (!is_tiny(winding))
       spread(node.children[0], std::move(winding), plane.normal, [&](std::uint32_t front, Winding part) {
         spread(node.children[1], std::move(part), -plane.normal, [&](std::uint32_t back, Winding piece) {
@@ -53,9 +48,9 @@ class PortalMaker {
       });
     for (const int side : {0, 1}) {
       if (node.children[static_cast<std::size_t>(side)] < 0) continue;
-      ancestors_.push_back({side == 0 ? turned(node.plane) : node.plane});
+      outsides_.push_back(side == 0 ? turned(node.plane) : node.plane);
       visit(node.children[static_cast<std::size_t>(side)]);
-      ancestors_.pop_back();
+      outsides_.pop_back();
     }
   }
 
@@ -89,7 +84,7 @@ class PortalMaker {
   const Tree& tree_;
   const PlaneSet& planes_;
   std::vector<Plane> walls_;
-  std::vector<Ancestor> ancestors_;
+  std::vector<PlaneIndex> outsides_;  // of the nodes on the way down: their fronts are elsewhere
   LeafPortals out_;
 };
 

@@ -48,7 +48,7 @@ Special special_of(std::string_view texture) {
   const auto begins = [&](std::string_view with) { return name.starts_with(with); };
   if (begins("*lava")) return Special::kLava;
   if (begins("*slime")) return Special::kSlime;
-  if (begins("*")) return name.ends_with("skip") ? Special::kWater : Special::kWater;
+  if (begins("*")) return Special::kWater;
   if (begins("sky")) return Special::kSky;
   if (name == "clip") return Special::kClip;
   if (name == "hintskip") return Special::kHintSkip;
@@ -180,7 +180,8 @@ class Sorter {
       for (std::size_t k = 0; k < solid->sides.size(); ++k) {
         BrushSide& side = solid->sides[k];
         const formats::MapSide& map_side = from.sides[solid->side_of[k]];
-        if (is_drawn(map_side.texture)) side.surface = add_surface(map_side, side.plane, origin_world, keys);
+        if (is_drawn(map_side.texture))
+          side.surface = add_surface(map_side, place, side.plane, origin_world, keys);
         side.splits = special != Special::kHint || special_of(map_side.texture) == Special::kHint;
       }
       brush.sides = std::move(solid->sides);
@@ -198,12 +199,13 @@ class Sorter {
     return static_cast<std::uint32_t>(out_.surface_keys.size() - 1);
   }
 
-  std::uint32_t add_surface(const formats::MapSide& side, PlaneIndex plane, const math::Vec3d& origin_world,
-                            std::uint32_t keys) {
+  std::uint32_t add_surface(const formats::MapSide& side, const BrushPlace& place, PlaneIndex plane,
+                            const math::Vec3d& origin_world, std::uint32_t keys) {
     Surface surface;
     const SideAxes found = side_axes(side.texturing, out_.planes[plane].normal, texture_size_(side.texture));
     if (found.replaced)
-      warnings_.push_back({"texture axes that do not lie on the side", fmt::format("line {}", side.line)});
+      warnings_.push_back({"texture axes that do not lie on the side",
+                           describe(place) + fmt::format(", side in line {}", side.line)});
     // The brush was moved, and its texture with it.
     TextureAxes axes = found.axes;
     axes.s_offset += glm::dot(origin_world, axes.s_axis);
@@ -231,11 +233,11 @@ class Sorter {
   // What only editors and compilers read is left out.
   void add_fields(const formats::Entity& from, const std::string& model) {
     formats::Entity fields;
-    for (const auto& [key, value] : from.pairs)
-      if (!key.starts_with("_tb_") && key != "mapversion" && key != "wad" && key != "model")
-        fields.pairs.emplace_back(key, value);
-      else if (key == "model" && model.empty())
-        fields.pairs.emplace_back(key, value);
+    for (const auto& [key, value] : from.pairs) {
+      const bool is_editors = key.starts_with("_tb_") || key == "mapversion" || key == "wad";
+      const bool is_replaced = key == "model" && !model.empty();
+      if (!is_editors && !is_replaced) fields.pairs.emplace_back(key, value);
+    }
     if (!model.empty()) fields.pairs.emplace_back("model", model);
     out_.entities.push_back(std::move(fields));
   }
