@@ -168,6 +168,80 @@ TEST(MakeDraft, DetailDividesNoClusters) {
   EXPECT_EQ(detail.draft.bsp.models.size(), 1u);
 }
 
+// Area of the faces with a texture that look up at a height.
+double area_looking_up(const DraftResult& result, std::string_view texture, float height) {
+  const formats::Bsp& bsp = result.draft.bsp;
+  double area = 0;
+  for (const formats::BspFace& face : bsp.faces) {
+    const formats::BspPlane& plane = bsp.planes[face.plane];
+    const auto miptex = static_cast<std::size_t>(bsp.texinfos[face.texinfo].miptex);
+    if (face.side != 0 || plane.normal.z != 1 || plane.distance != height ||
+        bsp.miptexes[miptex].name != texture)
+      continue;
+    std::vector<Vec3d> corners;
+    for (std::uint32_t k = 0; k < face.surfedge_count; ++k) {
+      const std::int32_t edge = bsp.surfedges[face.first_surfedge + k];
+      const auto& ends = bsp.edges[static_cast<std::size_t>(std::abs(edge))].vertices;
+      corners.emplace_back(bsp.vertices[ends[edge < 0 ? 1 : 0]]);
+    }
+    Vec3d sum(0.0);
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      sum += glm::cross(corners[k - 1] - corners[0], corners[k] - corners[0]);
+    area += glm::length(sum) / 2;
+  }
+  return area;
+}
+
+constexpr double kFloorArea = 256 * 256;
+
+// Its holes show the floor that it stands on.
+TEST(MakeDraft, FenceIsSolidAndHidesNothing) {
+  const std::string block = box_text({-32, -32, 0}, {32, 32, 64}, "{grate");
+  const DraftResult result = draft_of(room() + entity_text("func_detail_fence", "", block));
+  EXPECT_EQ(contents_at(result, {0, 0, 32}), world::Contents::kSolid);
+  EXPECT_EQ(contents_at(result, {0, 0, 80}, world::Hull::kPlayer), world::Contents::kSolid);
+  EXPECT_DOUBLE_EQ(area_looking_up(result, "{grate", 64), 64 * 64);
+  EXPECT_DOUBLE_EQ(area_looking_up(result, "wall", 0), kFloorArea);
+  const DraftResult solid = draft_of(room() + entity_text("func_detail", "", block));
+  EXPECT_DOUBLE_EQ(area_looking_up(solid, "wall", 0), kFloorArea - 64 * 64)
+      << "what nobody can see is left out";
+}
+
+TEST(MakeDraft, IllusionaryIsDrawnButNotThere) {
+  const DraftResult result = draft_of(
+      room() + entity_text("func_detail_illusionary", "", box_text({-32, -32, 0}, {32, 32, 64}, "bush")));
+  EXPECT_EQ(contents_at(result, {0, 0, 32}), world::Contents::kEmpty);
+  EXPECT_EQ(contents_at(result, {0, 0, 32}, world::Hull::kPlayer), world::Contents::kEmpty);
+  EXPECT_DOUBLE_EQ(area_looking_up(result, "bush", 64), 64 * 64);
+  EXPECT_DOUBLE_EQ(area_looking_up(result, "wall", 0), kFloorArea);
+}
+
+TEST(MakeDraft, LaterBrushShowsWhereTwoOverlap) {
+  const std::string early = box_text({-64, -64, 0}, {64, 64, 32}, "early");
+  const std::string late = box_text({0, -64, 0}, {96, 64, 32}, "late");
+  const DraftResult result = draft_of(room(early + late));
+  EXPECT_DOUBLE_EQ(area_looking_up(result, "early", 32), 64 * 128);
+  EXPECT_DOUBLE_EQ(area_looking_up(result, "late", 32), 96 * 128);
+}
+
+// A hint brush's sides cut the room and leave nothing else behind; its hintskip sides do not even cut.
+TEST(MakeDraft, HintsCutAndNothingElse) {
+  std::string hint = box_text({-128, -128, 64}, {128, 128, 128}, "hintskip");
+  const DraftResult without = draft_of(room());
+  const DraftResult skipped = draft_of(room(hint));
+  EXPECT_EQ(skipped.draft.bsp.leafs.size(), without.draft.bsp.leafs.size());
+  hint.replace(hint.find("hintskip"), 8, "hint");  // the side of the least x, along the wall
+  for (std::size_t at = hint.rfind("hintskip"); at != std::string::npos; at = hint.rfind("hintskip"))
+    hint.replace(at, 8, "hint");
+  const DraftResult cut = draft_of(room(hint));
+  EXPECT_EQ(cut.draft.bsp.leafs.size(), without.draft.bsp.leafs.size() + 1);
+  EXPECT_EQ(cut.draft.portals.cluster_count, 2u);
+  ASSERT_EQ(cut.draft.portals.portals.size(), 1u);
+  EXPECT_EQ(cut.draft.portals.portals[0].normal, Vec3d(0, 0, 1));
+  EXPECT_EQ(cut.draft.portals.portals[0].distance, 64);
+  EXPECT_DOUBLE_EQ(area_looking_up(cut, "wall", 0), kFloorArea);
+}
+
 TEST(MakeDraft, IsTheSameForAnyThreads) {
   std::string text = room();
   Random random(3);
