@@ -195,6 +195,8 @@ CLI::App* add_compile_command(CLI::App& program, CompileCommandOptions& io_optio
   command->add_flag("--fast", io_options.fast, "Rough visibility, light without dirt and bounces");
   command->add_flag("--no-vis", io_options.no_vis, "Leaves visibility out: everything is drawn");
   command->add_flag("--no-light", io_options.no_light, "Leaves light out: everything is bright");
+  command->add_flag("--opaque-water", io_options.opaque_water,
+                    "Nothing is seen through the surface of water");
   command->add_flag("--build-mips", io_options.built_mips, "Makes the smaller mip levels anew");
   command->add_flag("--bsp2", io_options.bsp2, "Writes BSP2 though the level fits the original's format");
   command->add_option("--extra", io_options.extra, "Samples of a shadow each way: 1, 2 or 4")
@@ -225,6 +227,7 @@ base::Status run_compile(const CompileCommandOptions& options, const GameFolders
 
   compiler::CompileOptions how;
   how.visibility = !options.no_vis;
+  how.draft.water_is_transparent = !options.opaque_water;
   how.lighting = !options.no_light;
   how.fast_visibility = options.fast;
   how.light.fast = options.fast;

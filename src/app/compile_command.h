@@ -21,6 +21,7 @@ struct CompileCommandOptions {
   std::vector<std::string> wads;  // WADs or levels, looked through before those that the map names
   bool fast = false;
   bool no_vis = false, no_light = false;
+  bool opaque_water = false;
   bool built_mips = false;
   bool bsp2 = false;
   int extra = 1;

@@ -168,6 +168,12 @@ TEST(MakeDraft, DetailDividesNoClusters) {
   EXPECT_EQ(detail.draft.bsp.models.size(), 1u);
 }
 
+TEST(MakeDraft, WaterMayBeOpaqueToVisibility) {
+  const std::string text = room(box_text({-128, -128, 0}, {128, 128, 48}, "*water1"));
+  EXPECT_EQ(draft_of(text).draft.portals.portals.size(), 1u);
+  EXPECT_EQ(draft_of(text, {.water_is_transparent = false}).draft.portals.portals.size(), 0u);
+}
+
 // Area of the faces with a texture that look up at a height.
 double area_looking_up(const DraftResult& result, std::string_view texture, float height) {
   const formats::Bsp& bsp = result.draft.bsp;
