@@ -10,7 +10,7 @@ namespace temblor::app {
 namespace {
 
 constexpr const char* kHelpFooter =
-    R"(Known formats: levels (.bsp versions 29, 2PSB, BSP2), coloured light (.lit), entity text (.ent),
+    R"(Known formats: levels (.bsp versions 29, 2PSB, BSP2), maps (.map), coloured light (.lit), entity text (.ent),
 archives (.pak, .pk3, .wad), pictures, palettes and colormaps (.lmp), models (.mdl), sprites (.spr),
 recordings (.dem).
 "problems" are what the game can live with; a file that it cannot use at all gives one line on standard

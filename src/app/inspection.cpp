@@ -30,12 +30,13 @@ enum class Format {
   kMdl,
   kSpr,
   kDem,
-  kWad3
+  kWad3,
+  kMap
 };
 
-constexpr std::array<const char*, 13> kFormatNames = {
+constexpr std::array<const char*, 14> kFormatNames = {
     "level",   "coloured light", "entity text", "PAK",    "PK3",       "WAD2", "picture",
-    "palette", "colormap",       "model",       "sprite", "recording", "WAD3"};
+    "palette", "colormap",       "model",       "sprite", "recording", "WAD3", "map"};
 
 // The formats whose files start with something of their own.
 std::optional<Format> format_of_start(base::Bytes bytes) {
@@ -74,15 +75,16 @@ std::optional<Format> format_of_name(const std::filesystem::path& path, std::siz
     std::string_view text;
     Format format;
   };
-  constexpr std::array<Extension, 9> kExtensions = {{{".bsp", Format::kBsp},
-                                                     {".lit", Format::kLit},
-                                                     {".ent", Format::kEntities},
-                                                     {".pak", Format::kPak},
-                                                     {".pk3", Format::kPk3},
-                                                     {".wad", Format::kWad},
-                                                     {".mdl", Format::kMdl},
-                                                     {".spr", Format::kSpr},
-                                                     {".dem", Format::kDem}}};
+  constexpr std::array<Extension, 10> kExtensions = {{{".bsp", Format::kBsp},
+                                                      {".lit", Format::kLit},
+                                                      {".ent", Format::kEntities},
+                                                      {".pak", Format::kPak},
+                                                      {".pk3", Format::kPk3},
+                                                      {".wad", Format::kWad},
+                                                      {".mdl", Format::kMdl},
+                                                      {".spr", Format::kSpr},
+                                                      {".dem", Format::kDem},
+                                                      {".map", Format::kMap}}};
   for (const Extension& known : kExtensions)
     if (extension == known.text) return known.format;
   return std::nullopt;
@@ -96,6 +98,8 @@ base::Result<Inspection> inspect_bytes(Format format, base::ByteVector bytes) {
       return inspect_lit(bytes);
     case Format::kEntities:
       return inspect_entities(bytes);
+    case Format::kMap:
+      return inspect_map(bytes);
     case Format::kPk3:
       return inspect_pk3(std::move(bytes));
     case Format::kWad:
@@ -131,18 +135,20 @@ base::ByteVector read_start(const std::filesystem::path& path) {
 
 base::Result<Inspection> inspect_content(const std::filesystem::path& path, Inspection& io_header) {
   // Pictures go by their name first: one that is 29 pixels wide starts like a level.
-  const bool is_lump = base::to_lower(path.extension().string()) == ".lmp";
-  std::optional<Format> format = is_lump ? std::nullopt : format_of_start(read_start(path));
+  // Lumps start with anything, and maps as entity text does.
+  const std::string extension = base::to_lower(path.extension().string());
+  const bool goes_by_name = extension == ".lmp" || extension == ".map";
+  std::optional<Format> format = goes_by_name ? std::nullopt : format_of_start(read_start(path));
   base::ByteVector bytes;
   if (format != Format::kPak) {  // a PAK may be larger than memory
     TRY(bytes, vfs::read_disk_file(path));
     if (!format) format = format_of_name(path, bytes.size());
   }
   if (!format)
-    return base::error(
-        ErrorCode::kUnsupported,
-        "is of no known format; known are levels (.bsp), .lit, .ent, .pak, .pk3, .wad, .mdl, .spr, .dem and "
-        "pictures, palettes and colormaps (.lmp)");
+    return base::error(ErrorCode::kUnsupported,
+                       "is of no known format; known are levels (.bsp), .map, .lit, .ent, .pak, .pk3, .wad, "
+                       ".mdl, .spr, .dem and "
+                       "pictures, palettes and colormaps (.lmp)");
   io_header["format"] = kFormatNames[static_cast<std::size_t>(*format)];
   return *format == Format::kPak ? inspect_pak(path) : inspect_bytes(*format, std::move(bytes));
 }

@@ -18,6 +18,7 @@ using Inspection = nlohmann::ordered_json;
 base::Result<Inspection> inspect_bsp(base::Bytes bytes);
 base::Result<Inspection> inspect_lit(base::Bytes bytes);
 base::Result<Inspection> inspect_entities(base::Bytes bytes);
+base::Result<Inspection> inspect_map(base::Bytes bytes);
 // Reads the table only: a PAK may be larger than memory.
 base::Result<Inspection> inspect_pak(const std::filesystem::path& path);
 base::Result<Inspection> inspect_pk3(base::ByteVector bytes);

@@ -14,6 +14,7 @@
 #include "formats/wad.h"
 #include "formats/wad3_texture.h"
 #include "support/game_data.h"
+#include "support/room_map.h"
 #include "support/small_game.h"
 #include "support/small_models.h"
 
@@ -219,6 +220,19 @@ TEST_F(InspectProgram, Sprites) {
   EXPECT_THAT(problems, HasSubstr("larger than the header's largest: 1 (the first is frame 0)"));
   EXPECT_THAT(problems, HasSubstr("without a visible texel: 1 (the first is frame 1)"));
   EXPECT_THAT(problems, HasSubstr("1 bytes follow"));
+}
+
+TEST_F(InspectProgram, Maps) {
+  const std::string text = entity_text("worldspawn", "", walls_text({-64, -64, 0}, {64, 64, 64}, "wall")) +
+                           point_text("light", {0, 0, 8}) + entity_text("func_door", "", "{\n}\n");
+  const json object = inspect("x.map", base::as_bytes(text));
+  EXPECT_EQ(object.at("format"), "map");
+  EXPECT_EQ(object.at("counts"), (json{{"entities", 3}, {"brushes", 7}, {"sides", 36}, {"textures", 1}}));
+  EXPECT_EQ(object.at("texture alignment, by sides"), (json{{"standard", 36}}));
+  EXPECT_EQ(object.at("classes"), (json{{"func_door", 1}, {"light", 1}, {"worldspawn", 1}}));
+  const std::string problems = object.at("problems").dump();
+  EXPECT_THAT(problems, HasSubstr("no info_player_start"));
+  EXPECT_THAT(problems, HasSubstr("entity 2, brush 0, line"));
 }
 
 TEST_F(InspectProgram, TextHasTheSameFacts) {
