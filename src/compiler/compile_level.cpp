@@ -111,7 +111,9 @@ base::Result<CompiledLevel> compile_level(const formats::Map& map, std::span<con
   if (options.lighting) {
     const FaceKeys keys{std::move(made.draft.surface_keys), std::move(made.draft.keys_of_face)};
     TRY(level.light, stages.run("light", [&] {
-      return light_level(level.bsp, keys, options.light, jobs, progress, io_warnings);
+      LightOptions how = options.light;
+      how.palette = palette;
+      return light_level(level.bsp, keys, how, jobs, progress, io_warnings);
     }));
     if (level.light.coloured) level.lit = level.light.lit;
   }

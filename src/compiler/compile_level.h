@@ -34,8 +34,8 @@ struct CompiledLevel {
   formats::Bsp bsp;
   // Lit samples for the file beside the level; nothing where all light is white.
   std::optional<formats::Lit> lit;
-  std::optional<LeakWay> leak;    // then there is no visibility
-  double mean_visible_share = 1;  // of leafs, seen from a leaf
+  std::optional<LeakWay> leak;               // then there is no visibility
+  std::optional<double> mean_visible_share;  // of leafs, seen from a leaf
   LightSummary light;
   std::vector<StageTime> times;
 };

@@ -3,76 +3,26 @@
 #include "compiler/tree_portals.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
-#include "compiler/vis/half_space.h"
+#include "compiler/bsp/winding.h"
 
 namespace temblor::compiler {
 
 namespace {
 
 using math::Vec3d;
-using vis::HalfSpace;
-using Winding = std::vector<Vec3d>;
 
 constexpr std::int32_t kSolidContents = -2;
 constexpr std::int32_t kSkyContents = -6;
-constexpr double kWorldEnd = 131072;
+constexpr int kNoAxis = 3;
 
-HalfSpace half_space(const formats::BspPlane& plane) {
+Plane plane_of(const formats::BspPlane& plane) {
   const Vec3d normal(plane.normal);
   // Portals' planes have normals of length 1 in double precision; the level's are rounded to float.
   const double length = glm::length(normal);
-  return {normal / length, double{plane.distance} / length};
-}
-
-struct Pieces {
-  Winding front, back;
-  bool on_plane = false;  // the whole of it: both are empty
-};
-
-Pieces split(const Winding& winding, const HalfSpace& plane) {
-  Pieces pieces;
-  double highest = 0, lowest = 0;
-  for (const Vec3d& point : winding) {
-    highest = std::max(highest, plane.above(point));
-    lowest = std::min(lowest, plane.above(point));
-  }
-  const bool has_front = highest > kTreePortalEpsilon, has_back = lowest < -kTreePortalEpsilon;
-  pieces.on_plane = !has_front && !has_back;
-  if (!has_back && has_front) pieces.front = winding;
-  if (!has_front && has_back) pieces.back = winding;
-  if (!has_front || !has_back) return pieces;
-
-  for (std::size_t i = 0; i < winding.size(); ++i) {
-    const Vec3d& from = winding[i];
-    const Vec3d& to = winding[(i + 1) % winding.size()];
-    const double from_above = plane.above(from), to_above = plane.above(to);
-    if (from_above >= -kTreePortalEpsilon) pieces.front.push_back(from);
-    if (from_above <= kTreePortalEpsilon) pieces.back.push_back(from);
-    const bool crosses = (from_above > kTreePortalEpsilon && to_above < -kTreePortalEpsilon) ||
-                         (from_above < -kTreePortalEpsilon && to_above > kTreePortalEpsilon);
-    if (!crosses) continue;
-    const Vec3d middle = from + (to - from) * (from_above / (from_above - to_above));
-    pieces.front.push_back(middle);
-    pieces.back.push_back(middle);
-  }
-  return pieces;
-}
-
-// A square of the plane that reaches past the end of the world; clockwise seen from in front.
-Winding whole_plane(const HalfSpace& plane) {
-  int axis = 0;
-  for (int i = 1; i < 3; ++i)
-    if (std::abs(plane.normal[i]) > std::abs(plane.normal[axis])) axis = i;
-  Vec3d up{0.0};
-  up[axis == 2 ? 0 : 2] = 1;
-  up = glm::normalize(up - plane.normal * glm::dot(up, plane.normal)) * kWorldEnd;
-  const Vec3d right = glm::cross(up, plane.normal);
-  const Vec3d centre = plane.normal * plane.distance;
-  return {centre - right + up, centre + right + up, centre + right - up, centre - right - up};
+  return {normal / length, double{plane.distance} / length, kNoAxis};
 }
 
 class TreeWalk {
@@ -84,11 +34,11 @@ class TreeWalk {
   bool visit(std::int32_t child) {
     if (child < 0) return true;
     const formats::BspNode& node = bsp_.nodes[static_cast<std::size_t>(child)];
-    const HalfSpace plane = half_space(bsp_.planes[node.plane]);
+    const Plane plane = plane_of(bsp_.planes[node.plane]);
     if (!join_sides(node, plane, inside_cell(plane))) return false;
     cell_.push_back(plane);
     const bool fits_front = visit(node.children[0]);
-    cell_.back() = plane.flipped();
+    cell_.back() = {-plane.normal, -plane.distance, kNoAxis};
     const bool fits = fits_front && visit(node.children[1]);
     cell_.pop_back();
     return fits;
@@ -96,13 +46,14 @@ class TreeWalk {
 
  private:
   // The part of a plane that lies in the cell of the node being visited.
-  Winding inside_cell(const HalfSpace& plane) const {
+  Winding inside_cell(const Plane& plane) const {
     Winding winding = whole_plane(plane);
-    for (std::size_t i = cell_.size(); i-- > 0 && !winding.empty();) winding = split(winding, cell_[i]).front;
+    for (std::size_t i = cell_.size(); i-- > 0 && !winding.empty();)
+      winding = split(winding, cell_[i], kTreePortalEpsilon).front;
     return winding;
   }
 
-  bool join_sides(const formats::BspNode& node, const HalfSpace& plane, Winding winding) {
+  bool join_sides(const formats::BspNode& node, const Plane& plane, Winding winding) {
     if (winding.empty()) return true;
     std::vector<std::pair<std::uint32_t, Winding>> fronts, backs;
     push_down(node.children[0], plane.normal, std::move(winding), fronts);
@@ -124,9 +75,9 @@ class TreeWalk {
       return;
     }
     const formats::BspNode& node = bsp_.nodes[static_cast<std::size_t>(child)];
-    const HalfSpace plane = half_space(bsp_.planes[node.plane]);
-    Pieces pieces = split(winding, plane);
-    if (pieces.on_plane) {
+    const Plane plane = plane_of(bsp_.planes[node.plane]);
+    WindingParts pieces = split(winding, plane, kTreePortalEpsilon);
+    if (pieces.front.empty() && pieces.back.empty()) {
       const bool front = glm::dot(plane.normal, inwards) > 0;
       push_down(node.children[front ? 0 : 1], inwards, std::move(winding), out_pieces);
       return;
@@ -135,7 +86,7 @@ class TreeWalk {
     if (!pieces.back.empty()) push_down(node.children[1], inwards, std::move(pieces.back), out_pieces);
   }
 
-  bool add(std::uint32_t front_leaf, std::uint32_t back_leaf, const HalfSpace& plane, Winding winding) {
+  bool add(std::uint32_t front_leaf, std::uint32_t back_leaf, const Plane& plane, Winding winding) {
     if (!contents_see_through(bsp_.leafs[front_leaf].contents, bsp_.leafs[back_leaf].contents,
                               settings_.liquids_see_through))
       return true;
@@ -147,7 +98,7 @@ class TreeWalk {
   const formats::Bsp& bsp_;
   const TreePortalSettings& settings_;
   PortalSet& set_;
-  std::vector<HalfSpace> cell_;  // planes above the node, the cell on their front sides
+  std::vector<Plane> cell_;  // planes above the node, the cell on their front sides
 };
 
 void mark_leafs(const formats::Bsp& bsp, std::int32_t child, PortalSet& io_set) {

@@ -1,0 +1,86 @@
+#include "app/texture_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "base/text.h"
+#include "compiler/make_wad.h"
+#include "compiler/wad_paths.h"
+#include "vfs/disk.h"
+
+namespace temblor::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The PNG files of a folder, in order of their names, as a WAD.
+base::Result<base::ByteVector> wad_of_pictures(const fs::path& folder, const formats::Palette& palette) {
+  std::error_code failure;
+  std::vector<fs::path> paths;
+  for (fs::directory_iterator it(folder, failure), end; !failure && it != end; it.increment(failure))
+    if (base::to_lower(it->path().extension().string()) == ".png") paths.push_back(it->path());
+  if (failure) return base::Error{base::ErrorCode::kNotFound, "--textures: no such folder", folder.string()};
+  std::sort(paths.begin(), paths.end());
+  std::vector<base::ByteVector> bytes;
+  for (const fs::path& path : paths) {
+    TRY(base::ByteVector png, vfs::read_disk_file(path));
+    bytes.push_back(std::move(png));
+  }
+  std::vector<compiler::PngFile> files;
+  for (std::size_t i = 0; i < paths.size(); ++i) files.push_back({paths[i].string(), bytes[i]});
+  return compiler::make_wad(files, palette);
+}
+
+// The first that is a file and can be read.
+bool add_first_of(const std::vector<fs::path>& candidates, TextureFiles& io_files) {
+  for (const fs::path& path : candidates) {
+    base::Result<base::ByteVector> file = vfs::read_disk_file(path);
+    if (!file.ok()) continue;
+    io_files.add(path.filename().string(), std::move(file).value());
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void TextureFiles::add(std::string name, base::ByteVector file) {
+  bytes.push_back(std::make_unique<base::ByteVector>(std::move(file)));
+  sources.push_back({std::move(name), *bytes.back()});
+}
+
+base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::path& map_path,
+                                         const formats::Map& map, const formats::Palette& palette,
+                                         compiler::Warnings& io_warnings) {
+  TextureFiles files;
+  if (!places.pictures.empty()) {
+    TRY(base::ByteVector wad, wad_of_pictures(places.pictures, palette));
+    files.add(places.pictures, std::move(wad));
+  }
+  std::vector<fs::path> folders;
+  for (const std::string& wad : places.wads) {
+    std::error_code ignored;
+    if (fs::is_directory(wad, ignored)) {
+      folders.emplace_back(wad);
+      continue;
+    }
+    base::Result<base::ByteVector> file = vfs::read_disk_file(wad);
+    if (!file.ok()) {
+      const base::Error& why = file.error();
+      return base::Error{why.code, "--wad: " + why.what, wad};
+    }
+    files.add(fs::path(wad).filename().string(), std::move(file).value());
+  }
+  const std::string_view key =
+      map.entities.empty() ? "" : map.entities.front().fields.find("wad").value_or("");
+  for (const std::string& entry : compiler::split_wad_key(key)) {
+    if (!add_first_of(compiler::wad_candidates(entry, map_path.parent_path(), folders), files))
+      io_warnings.push_back({"WAD not found", fmt::format("{} (--wad FOLDER says where to look)", entry)});
+  }
+  return files;
+}
+
+}  // namespace temblor::app

@@ -1,0 +1,37 @@
+// The files that a map's textures come from: those that the command line names, then those that the map does.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/bytes.h"
+#include "base/result.h"
+#include "compiler/report.h"
+#include "compiler/texture_set.h"
+#include "formats/map.h"
+#include "formats/palette.h"
+
+namespace temblor::app {
+
+// What `sources` point to lives as long as this does.
+struct TextureFiles {
+  std::vector<std::unique_ptr<base::ByteVector>> bytes;
+  std::vector<compiler::TextureSource> sources;
+
+  void add(std::string name, base::ByteVector file);
+};
+
+struct TexturePlaces {
+  std::string pictures;           // a folder of PNG files; empty: none
+  std::vector<std::string> wads;  // WADs, levels, and folders in which the map's WADs may lie
+};
+
+// In the order in which textures are looked for: pictures, `wads`, what the map's "wad" key names. What the
+// map names and nobody has is a warning; what the command line names must be there.
+base::Result<TextureFiles> find_textures(const TexturePlaces& places, const std::filesystem::path& map_path,
+                                         const formats::Map& map, const formats::Palette& palette,
+                                         compiler::Warnings& io_warnings);
+
+}  // namespace temblor::app
