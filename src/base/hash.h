@@ -2,7 +2,10 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+
+#include "base/bytes.h"
 
 namespace temblor::base {
 
@@ -20,6 +23,11 @@ constexpr std::uint64_t mixed_bits(std::uint64_t value) {
 // The hash of a sequence, one value after another.
 constexpr std::uint64_t hash_with(std::uint64_t hash, std::uint64_t value) {
   return mixed_bits((hash ^ value) + kGoldenGamma);
+}
+
+constexpr std::uint64_t hash_with_bytes(std::uint64_t hash, Bytes bytes) {
+  for (const std::byte byte : bytes) hash = hash_with(hash, std::to_integer<std::uint64_t>(byte));
+  return hash;
 }
 
 // 0 and -0 are one value.

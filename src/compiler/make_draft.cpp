@@ -9,6 +9,7 @@
 #include "compiler/bsp/fill_outside.h"
 #include "compiler/bsp/leaf_portals.h"
 #include "compiler/bsp/level_brushes.h"
+#include "compiler/bsp/level_entities.h"
 #include "compiler/bsp/level_writer.h"
 #include "compiler/bsp/second_tree.h"
 #include "compiler/bsp/tree.h"
@@ -116,7 +117,8 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
     draft.keys_of_face.push_back(level.surfaces[surface_of_face[face]].keys);
   }
   for (const std::string& texture : level.textures) draft.bsp.miptexes.emplace_back().name = texture;
-  draft.bsp.entities = formats::write_entities(level.entities);
+  draft.bsp.entities = formats::write_entities(level_entities(map, level.brush_entities));
+  draft.brush_entities = std::move(level.brush_entities);
   draft.surface_keys = std::move(level.surface_keys);
   if (const auto& leak = parts.front().leak)
     result.leak =

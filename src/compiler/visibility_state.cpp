@@ -15,9 +15,7 @@ constexpr std::uint32_t kVersion = 1;
 constexpr std::size_t kHeaderBytes = 24, kHashBytes = 8;
 
 std::uint64_t hash_of(base::Bytes bytes) {
-  std::uint64_t hash = bytes.size();
-  for (const std::byte byte : bytes) hash = base::hash_with(hash, static_cast<std::uint64_t>(byte));
-  return hash;
+  return base::hash_with_bytes(bytes.size(), bytes);
 }
 
 base::Error other_level() {

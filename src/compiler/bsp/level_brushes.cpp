@@ -9,6 +9,8 @@
 #include <string_view>
 
 #include "base/text.h"
+#include "compiler/bsp/brush_class.h"
+#include "compiler/bsp/level_entities.h"
 #include "compiler/surface_keys.h"
 #include "compiler/texture_axes.h"
 
@@ -16,29 +18,6 @@ namespace temblor::compiler {
 namespace {
 
 using base::ErrorCode;
-
-// What an entity's brushes become.
-struct BrushClass {
-  std::string_view classname;
-  Fill solid;  // of its brushes that are not liquid or sky
-  bool is_detail;
-};
-// Their brushes are the world's.
-constexpr std::array<BrushClass, 6> kWorldClasses = {{
-    {"worldspawn", Fill::kSolid, false},
-    {"func_group", Fill::kSolid, false},
-    {"func_detail", Fill::kDetail, true},
-    {"func_detail_wall", Fill::kDetail, true},
-    {"func_detail_fence", Fill::kFence, true},
-    {"func_detail_illusionary", Fill::kIllusionary, true},
-}};
-constexpr BrushClass kModelClass = {"", Fill::kSolid, false};
-
-const BrushClass* world_class(std::string_view classname) {
-  for (const BrushClass& known : kWorldClasses)
-    if (known.classname == classname) return &known;
-  return nullptr;
-}
 
 // What the name of a side's texture says of the brush.
 enum class Special { kNone, kWater, kSlime, kLava, kSky, kClip, kSkip, kHint, kHintSkip, kOrigin };
@@ -121,11 +100,10 @@ class Sorter {
       TRY_STATUS(add_brushes(number, *of_world, math::Vec3d(0.0), own));
       auto& world = out_.models.front();
       world.insert(world.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
-      if (number == 0) add_fields(entity.fields, {});
+      out_.brush_entities.push_back({number == 0, {}, {}});
       return base::Ok{};
     }
     if (entity.brushes.empty()) {
-      add_fields(entity.fields, {});
       if (const auto origin = entity.fields.find_vec3("origin")) {
         out_.occupants_world.push_back(math::Vec3d(*origin));
         out_.entity_of_occupant.push_back(number);
@@ -137,12 +115,12 @@ class Sorter {
     TRY_STATUS(add_brushes(number, kModelClass, pivot.value_or(math::Vec3d(0.0)), brushes));
     if (brushes.empty()) {
       warnings_.push_back({"brush entity without brushes", fmt::format("entity {} ({})", number, classname)});
+      out_.brush_entities.push_back({false, {}, {}});
       return base::Ok{};
     }
     out_.models.push_back(std::move(brushes));
-    formats::Entity fields = entity.fields;
-    if (pivot) set_field(fields, "origin", fmt::format("{} {} {}", pivot->x, pivot->y, pivot->z));
-    add_fields(fields, fmt::format("*{}", out_.models.size() - 1));
+    out_.brush_entities.push_back({true, fmt::format("*{}", out_.models.size() - 1),
+                                   pivot ? fmt::format("{} {} {}", pivot->x, pivot->y, pivot->z) : ""});
     return base::Ok{};
   }
 
@@ -228,23 +206,6 @@ class Sorter {
         textures_.try_emplace(base::to_lower(name), static_cast<std::int32_t>(out_.textures.size()));
     if (is_new) out_.textures.push_back(name);
     return known->second;
-  }
-
-  // What only editors and compilers read is left out.
-  void add_fields(const formats::Entity& from, const std::string& model) {
-    formats::Entity fields;
-    for (const auto& [key, value] : from.pairs) {
-      const bool is_editors = key.starts_with("_tb_") || key == "mapversion" || key == "wad";
-      const bool is_replaced = key == "model" && !model.empty();
-      if (!is_editors && !is_replaced) fields.pairs.emplace_back(key, value);
-    }
-    if (!model.empty()) fields.pairs.emplace_back("model", model);
-    out_.entities.push_back(std::move(fields));
-  }
-
-  static void set_field(formats::Entity& io_fields, const std::string& key, const std::string& value) {
-    std::erase_if(io_fields.pairs, [&](const auto& pair) { return pair.first == key; });
-    io_fields.pairs.emplace_back(key, value);
   }
 
   const formats::Map& map_;

@@ -7,23 +7,27 @@ namespace temblor::compiler {
 namespace {
 
 std::uint64_t with_bytes(std::uint64_t hash, base::Bytes bytes) {
-  hash = base::hash_with(hash, bytes.size());
-  for (const std::byte byte : bytes) hash = base::hash_with(hash, std::to_integer<std::uint64_t>(byte));
-  return hash;
+  return base::hash_with_bytes(base::hash_with(hash, bytes.size()), bytes);
 }
 
 std::uint64_t with_keys(std::uint64_t hash, const SurfaceKeys& keys) {
-  for (const float number :
-       {keys.phong_angle_deg, keys.phong_angle_concave_deg, keys.min_light, keys.min_light_colour[0],
-        keys.min_light_colour[1], keys.min_light_colour[2], keys.light_map_scale, keys.light_alpha})
-    hash = base::hash_with(hash, base::bits_of(number));
-  hash = base::hash_with(hash, static_cast<std::uint32_t>(keys.phong_group));
-  for (const bool flag : {keys.casts_shadow, keys.takes_dirt, keys.takes_bounce, keys.ignores_light})
-    hash = base::hash_with(hash, flag ? 1 : 0);
+  visit_fields(keys,
+               [&](auto field) { hash = base::hash_with(hash, base::bits_of(static_cast<float>(field))); });
   return hash;
 }
 
 }  // namespace
+
+formats::Bsp unlit(const formats::Bsp& bsp) {
+  formats::Bsp copy = bsp;
+  copy.lighting.clear();
+  copy.bspx.clear();
+  for (formats::BspFace& face : copy.faces) {
+    face.styles = {255, 255, 255, 255};
+    face.light_offset = -1;
+  }
+  return copy;
+}
 
 std::uint64_t hash_of_light_input(const formats::Bsp& unlit, const FaceKeys& face_keys,
                                   const LightOptions& options) {

@@ -7,7 +7,9 @@
 
 namespace temblor::compiler {
 
-// `unlit`: light and what follows from it thrown away.
+// The level that light falls on: as it is, but for light and what follows from it.
+formats::Bsp unlit(const formats::Bsp& bsp);
+
 std::uint64_t hash_of_light_input(const formats::Bsp& unlit, const FaceKeys& face_keys,
                                   const LightOptions& options);
 
