@@ -1,28 +1,56 @@
 #include "compiler/bsp/brush_class.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
 #include "base/text.h"
+#include "compiler/light/keys.h"
 
 namespace temblor::compiler {
 namespace {
 
-constexpr std::array<BrushClass, 6> kWorldClasses = {{
-    kWorldClass,
+struct WorldClass {
+  std::string_view classname;
+  Fill solid;
+  bool is_detail;
+};
+constexpr std::array<WorldClass, 7> kWorldClasses = {{
+    {"worldspawn", Fill::kSolid, false},
     {"func_group", Fill::kSolid, false},
     {"func_detail", Fill::kDetail, true},
-    {"func_detail_wall", Fill::kDetail, true},
+    {"func_detail_wall", Fill::kDetailWall, true},
     {"func_detail_fence", Fill::kFence, true},
     {"func_detail_illusionary", Fill::kIllusionary, true},
+    {"func_illusionary_visblocker", Fill::kVisBlocker, false},
 }};
+
+std::int32_t whole_number_or(const formats::Entity& fields, std::string_view key, std::int32_t otherwise) {
+  constexpr float kMost = 1 << 20;
+  return static_cast<std::int32_t>(
+      std::clamp(number_or(fields, key, static_cast<float>(otherwise)), -kMost, kMost));
+}
 
 }  // namespace
 
-const BrushClass* world_class(std::string_view classname) {
-  for (const BrushClass& known : kWorldClasses)
-    if (known.classname == classname) return &known;
-  return nullptr;
+BrushClass brush_class_of(const formats::Entity& fields) {
+  BrushClass of;
+  of.chop_order = whole_number_or(fields, "chop_order", 0);
+  of.is_seen_from_inside = number_or(fields, "mirrorinside", 0) > 0;
+  of.keeps_inner_faces = number_or(fields, "noclipfaces", 0) > 0;
+  if (const std::int32_t hulls = whole_number_or(fields, "hulls", 0); hulls > 0)
+    of.hulls = static_cast<std::uint8_t>(hulls & kAllHulls);
+  for (const WorldClass& known : kWorldClasses) {
+    if (known.classname != fields.classname()) continue;
+    of.is_world = true;
+    of.solid = known.solid;
+    of.is_detail = known.is_detail;
+    of.is_seen_from_inside |= known.solid == Fill::kVisBlocker;
+    return of;
+  }
+  // The game may move it to where somebody looks out of it.
+  if (of.is_seen_from_inside || of.keeps_inner_faces) of.solid = Fill::kFence;
+  return of;
 }
 
 Special special_of(std::string_view texture) {
@@ -73,6 +101,12 @@ Fill fill_of(Special special, const BrushClass& of_class) {
     default:
       return of_class.solid;
   }
+}
+
+std::uint8_t hulls_of(Special special, Fill fill) {
+  const bool stops_boxes = is_blocked(fill) || fill == Fill::kSky;
+  if (special == Special::kClip) return stops_boxes ? kAllHulls & ~kDrawnHull : 0;
+  return stops_boxes ? kAllHulls : kDrawnHull;
 }
 
 }  // namespace temblor::compiler

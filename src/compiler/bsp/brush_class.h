@@ -1,6 +1,7 @@
 // What names say of brushes: those of textures, and the classnames of entities whose brushes are the world's.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "compiler/bsp/brush.h"
@@ -8,17 +9,17 @@
 
 namespace temblor::compiler {
 
-// What an entity's brushes become.
+// What an entity's brushes become, by its classname and its keys.
 struct BrushClass {
-  std::string_view classname;
-  Fill solid;  // of its brushes that are not liquid or sky
-  bool is_detail;
+  bool is_world = false;      // else a model of their own
+  Fill solid = Fill::kSolid;  // of those that are not liquid or sky
+  bool is_detail = false;
+  std::uint8_t hulls = kAllHulls;
+  std::int32_t chop_order = 0;
+  bool is_seen_from_inside = false;
+  bool keeps_inner_faces = false;
 };
-constexpr BrushClass kWorldClass = {"worldspawn", Fill::kSolid, false},
-                     kModelClass = {"", Fill::kSolid, false};
-
-// Of worldspawn, func_group and their like; null for entities whose brushes are a model of their own.
-const BrushClass* world_class(std::string_view classname);
+BrushClass brush_class_of(const formats::Entity& fields);
 
 enum class Special { kNone, kWater, kSlime, kLava, kSky, kClip, kSkip, kHint, kHintSkip, kOrigin };
 
@@ -29,5 +30,6 @@ Special special_of(const formats::MapBrush& brush);
 bool is_drawn(std::string_view texture);
 
 Fill fill_of(Special special, const BrushClass& of_class);
+std::uint8_t hulls_of(Special special, Fill fill);  // as Brush::hulls
 
 }  // namespace temblor::compiler

@@ -31,6 +31,7 @@ class Sorter {
     TRY(region_, find_region(map_, warnings_));
     for (std::size_t i = 0; i < map_.entities.size(); ++i) add_entity(i);
     if (region_) close_region();
+    for (std::vector<Brush>& brushes : out_.models) std::ranges::stable_sort(brushes, {}, &Brush::chop_order);
     if (out_.models.front().empty()) return base::malformed("the world has no brush with a volume");
     warn_without_start();
     return std::move(out_);
@@ -39,8 +40,8 @@ class Sorter {
  private:
   void add_entity(std::size_t number) {
     const formats::MapEntity& entity = map_.entities[number];
-    if (const BrushClass* const of_world = world_class(entity.fields.classname())) {
-      add_brushes(number, *of_world, math::Vec3d(0.0), out_.models.front());
+    if (const BrushClass of_class = brush_class_of(entity.fields); of_class.is_world) {
+      add_brushes(number, of_class, math::Vec3d(0.0), out_.models.front());
       if (number == 0) add_fields(entity.fields, {});
     } else if (entity.brushes.empty()) {
       add_point_entity(number);
@@ -67,7 +68,7 @@ class Sorter {
     std::vector<Brush> brushes;
     const std::optional<math::Vec3d> pivot = origin_of_brushes(entity);
     const std::size_t left_out_before = brushes_left_out_;
-    add_brushes(number, kModelClass, pivot.value_or(math::Vec3d(0.0)), brushes);
+    add_brushes(number, brush_class_of(entity.fields), pivot.value_or(math::Vec3d(0.0)), brushes);
     if (brushes.empty()) {
       if (brushes_left_out_ > left_out_before)
         ++entities_left_out_;
@@ -89,7 +90,7 @@ class Sorter {
     for (const formats::MapBrush& wall : region_->shell())
       if (auto solid = make_solid(wall, region_->place, origin_world, out_.planes, warnings_))
         out_.models.front().push_back(
-            to_brush(wall, std::move(*solid), region_->place, kWorldClass, origin_world, kNoKeys));
+            to_brush(wall, std::move(*solid), region_->place, BrushClass{}, origin_world, kNoKeys));
     warnings_.push_back({"only a region is compiled",
                          fmt::format("{}; left out: {} brushes, {} entities", describe(region_->place),
                                      brushes_left_out_, entities_left_out_)});
@@ -153,15 +154,16 @@ class Sorter {
     Brush brush;
     brush.fill = fill_of(special, of_class);
     brush.is_detail = of_class.is_detail;
-    brush.clips = brush.fill == Fill::kSolid || brush.fill == Fill::kDetail || brush.fill == Fill::kFence ||
-                  brush.fill == Fill::kSky;
-    brush.is_drawn = special != Special::kClip;
+    brush.keeps_inner_faces = of_class.keeps_inner_faces;
+    brush.hulls = hulls_of(special, brush.fill) & of_class.hulls;
+    brush.chop_order = of_class.chop_order;
     brush.box = solid.box;
     for (std::size_t k = 0; k < solid.sides.size(); ++k) {
       BrushSide& side = solid.sides[k];
       const formats::MapSide& map_side = from.sides[solid.side_of[k]];
       if (is_drawn(map_side.texture))
         side.surface = add_surface(map_side, place, side.plane, origin_world, keys);
+      side.is_seen_from_inside = is_liquid(brush.fill) || of_class.is_seen_from_inside;
       side.splits = special != Special::kHint || special_of(map_side.texture) == Special::kHint;
     }
     brush.sides = std::move(solid.sides);
