@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/hash.h"
+#include "compiler/bsp/brush_class.h"
 #include "compiler/bsp/level_entities.h"
 #include "compiler/light/entity_lights.h"
 #include "compiler/light/light_hash.h"
@@ -65,6 +66,11 @@ void add_side(const formats::MapSide& side, TextureSize texture_size, Hasher& io
 // All that the BSP stage reads of an entity with brushes.
 void add_brush_keys(const formats::Entity& fields, Hasher& io_hash) {
   io_hash.add(fields.classname());
+  const BrushClass of = brush_class_of(fields);
+  for (const std::int32_t number : {of.is_world ? 1 : 0, static_cast<std::int32_t>(of.solid),
+                                    of.is_detail ? 1 : 0, static_cast<std::int32_t>(of.hulls), of.chop_order,
+                                    of.is_seen_from_inside ? 1 : 0, of.keeps_inner_faces ? 1 : 0})
+    io_hash.add(static_cast<double>(number));
   const SurfaceKeys keys = surface_keys_of(fields);
   visit_fields(keys, [&](auto field) { io_hash.add(static_cast<double>(field)); });
 }

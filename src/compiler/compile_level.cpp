@@ -88,7 +88,7 @@ base::Status make_brushes(const formats::Map& map, const TextureSet& textures, c
   TRY(Build build, build_of(std::move(made.draft), textures, options.bsp2));
   build.visibility_state = std::move(io_build.visibility_state);
   io_build = std::move(build);
-  if (!made.leak) {
+  if (!made.leak && !made.is_region) {
     io_build.brushes_key = key;
     io_build.solid_occupants_key = key_of_solid_occupants(map, io_build.bsp);
   }

@@ -10,7 +10,9 @@ bool is_editors(const std::string& key) {
   return key.starts_with("_tb_") || key == "mapversion" || key == "wad";
 }
 
-formats::Entity in_level(const formats::Entity& from, const BrushEntity& brushes) {
+}  // namespace
+
+formats::Entity level_fields(const formats::Entity& from, const BrushEntity& brushes) {
   formats::Entity fields;
   const auto is_replaced = [&](const std::string& key) {
     return (key == "model" && !brushes.model.empty()) || (key == "origin" && !brushes.origin.empty());
@@ -22,10 +24,8 @@ formats::Entity in_level(const formats::Entity& from, const BrushEntity& brushes
   return fields;
 }
 
-}  // namespace
-
 bool is_point_entity(const formats::MapEntity& entity) {
-  return entity.brushes.empty() && world_class(entity.fields.classname()) == nullptr;
+  return entity.brushes.empty() && !brush_class_of(entity.fields).is_world;
 }
 
 std::vector<formats::Entity> level_entities(const formats::Map& map,
@@ -34,12 +34,12 @@ std::vector<formats::Entity> level_entities(const formats::Map& map,
   std::size_t next = 0;
   for (const formats::MapEntity& entity : map.entities) {
     if (is_point_entity(entity)) {
-      entities.push_back(in_level(entity.fields, {}));
+      entities.push_back(level_fields(entity.fields, {}));
       continue;
     }
     CHECK(next < brush_entities.size(), "a map of {} brush entities", brush_entities.size());
     const BrushEntity& brushes = brush_entities[next++];
-    if (brushes.is_in_level) entities.push_back(in_level(entity.fields, brushes));
+    if (brushes.is_in_level) entities.push_back(level_fields(entity.fields, brushes));
   }
   CHECK(next == brush_entities.size(), "{} of {} brush entities", next, brush_entities.size());
   return entities;
