@@ -172,7 +172,7 @@ LightSummary finish(const Preparation& prepared, const LightOptions& options, st
   const LightSettings& settings = prepared.settings;
   if (settings.bounce.count > 0)
     add_bounced_light(prepared.lit, bounces, settings.bounce, options.palette, io_jobs, light);
-  PackedLight packed = pack_light_maps(prepared.lit, settings, light, io_bsp, io_warnings);
+  PackedLight packed = pack_light_maps(prepared.lit, settings, light, io_jobs, io_bsp, io_warnings);
   if (prepared.styles_changed) io_bsp.entities = formats::write_entities(prepared.entities);
   std::erase_if(io_bsp.bspx, [](const formats::BspxLump& lump) { return lump.name == kColouredLump; });
   if (packed.coloured) set_coloured_lump(packed.lit, io_bsp);
