@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   base::ByteWriter writer;
   writer.bytes(base::Bytes(compiler::write_build({}, files)).first(kStartBytes));
   writer.bytes(std::as_bytes(std::span(data, size)));
-  writer.write(base::hash_with_bytes(writer.size(), writer.view()));
+  writer.write(base::hash_of_bytes(writer.view()));
   const base::ByteVector bytes = std::move(writer).take();
   const auto build = compiler::read_build(bytes, files);
   if (build.ok()) {

@@ -7,6 +7,7 @@
 
 #include "base/bytes.h"
 #include "compiler/draft.h"
+#include "compiler/light_cache.h"
 #include "compiler/surface_keys.h"
 #include "formats/bsp.h"
 #include "formats/lit.h"
@@ -41,6 +42,7 @@ struct Build {
   base::ByteVector visibility_state;
 
   StageKey light_key = 0;
+  LightCache light_cache;  // of this level, or of one before it
 };
 
 }  // namespace temblor::compiler

@@ -2,9 +2,11 @@
 //   u32 "TBLD", u32 version, u64 hash of the level's bytes (0: of no level), u64 hash of the .lit's
 //   u64 bytes of visibility state, and those bytes
 //   of a level: keys, brush entities, portals, keys of faces (see the functions below)
+//   u64 bytes of light cache, and those bytes
 //   u64 hash of all bytes before
 #include "compiler/build_file.h"
 
+#include <algorithm>
 #include <bit>
 #include <span>
 
@@ -22,9 +24,8 @@ constexpr std::size_t kHashBytes = 8;
 constexpr const char* kCutOff = "build file: it ends within the {}";
 
 // Never 0, which stands for no file.
-std::uint64_t hash_of(base::Bytes bytes) {
-  const std::uint64_t hash = base::hash_with_bytes(bytes.size(), bytes);
-  return hash == 0 ? 1 : hash;
+std::uint64_t hash_of_file(base::Bytes bytes) {
+  return std::max<std::uint64_t>(1, base::hash_of_bytes(bytes));
 }
 
 void write_text(std::string_view text, ByteWriter& io_writer) {
@@ -35,6 +36,16 @@ void write_text(std::string_view text, ByteWriter& io_writer) {
 std::string read_text(ByteReader& io_reader) {
   const std::uint32_t size = io_reader.u32();
   return std::string(base::as_text(io_reader.take(size)));
+}
+
+void write_block(base::Bytes bytes, ByteWriter& io_writer) {
+  io_writer.write(std::uint64_t{bytes.size()});
+  io_writer.bytes(bytes);
+}
+
+base::Bytes read_block(ByteReader& io_reader) {
+  const auto size = io_reader.read<std::uint64_t>();
+  return io_reader.take(size);
 }
 
 // How many records follow, each of at least so many bytes: never more than the rest of the file can hold.
@@ -142,6 +153,7 @@ void write_level_part(const Build& build, ByteWriter& io_writer) {
   }
   write_portals(build.portals, io_writer);
   write_face_keys(build.face_keys, io_writer);
+  write_block(write_light_cache(build.light_cache), io_writer);
 }
 
 base::Status read_level_part(ByteReader& io_reader, Build& io_build) {
@@ -165,6 +177,7 @@ base::Status read_level_part(ByteReader& io_reader, Build& io_build) {
   if (!io_reader.ok()) return base::malformed(kCutOff, "brush entities");
   TRY(io_build.portals, read_portals(io_build.bsp.leafs.size(), io_reader));
   TRY(io_build.face_keys, read_face_keys(io_build.bsp.faces.size(), io_reader));
+  TRY(io_build.light_cache, read_light_cache(read_block(io_reader)));
   return base::Ok{};
 }
 
@@ -174,12 +187,11 @@ void write_start(std::uint64_t bsp_hash, std::uint64_t lit_hash, base::Bytes vis
   io_writer.u32(kVersion);
   io_writer.write(bsp_hash);
   io_writer.write(lit_hash);
-  io_writer.write(std::uint64_t{visibility_state.size()});
-  io_writer.bytes(visibility_state);
+  write_block(visibility_state, io_writer);
 }
 
 base::ByteVector finished(ByteWriter writer) {
-  writer.write(hash_of(writer.view()));
+  writer.write(base::hash_of_bytes(writer.view()));
   return std::move(writer).take();
 }
 
@@ -187,7 +199,7 @@ base::ByteVector finished(ByteWriter writer) {
 
 base::ByteVector write_build(const Build& build, const LevelFiles& files) {
   ByteWriter writer;
-  write_start(hash_of(files.bsp), hash_of(files.lit), build.visibility_state, writer);
+  write_start(hash_of_file(files.bsp), hash_of_file(files.lit), build.visibility_state, writer);
   write_level_part(build, writer);
   return finished(std::move(writer));
 }
@@ -206,15 +218,16 @@ base::Result<Build> read_build(base::Bytes bytes, const LevelFiles& files) {
                        kVersion);
   if (reader.remaining() < kHashBytes) return base::malformed(kCutOff, "hash");
   ByteReader end(bytes.last(kHashBytes));
-  if (end.read<std::uint64_t>() != hash_of(bytes.first(bytes.size() - kHashBytes)))
+  if (end.read<std::uint64_t>() != base::hash_of_bytes(bytes.first(bytes.size() - kHashBytes)))
     return base::malformed("build file: damaged, its hash is not that of its bytes");
 
   Build build;
   const auto bsp_hash = reader.read<std::uint64_t>(), lit_hash = reader.read<std::uint64_t>();
-  const base::Bytes state = reader.take(reader.read<std::uint64_t>());
+  const base::Bytes state = read_block(reader);
   build.visibility_state.assign(state.begin(), state.end());
   if (!reader.ok()) return base::malformed(kCutOff, "visibility state");
-  if (files.bsp.empty() || bsp_hash != hash_of(files.bsp) || lit_hash != hash_of(files.lit)) return build;
+  if (files.bsp.empty() || bsp_hash != hash_of_file(files.bsp) || lit_hash != hash_of_file(files.lit))
+    return build;
   TRY(build.bsp, formats::read_bsp(files.bsp));
   if (!files.lit.empty()) {
     TRY(build.lit, formats::read_lit(files.lit));

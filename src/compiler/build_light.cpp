@@ -26,8 +26,8 @@ base::Result<StageKey> light_key_of(const Build& build, const LightOptions& opti
 base::Status make_light(const LightOptions& options, base::Jobs& jobs, Progress progress, Build& io_build,
                         Warnings& io_warnings) {
   TRY(const StageKey key, light_key_of(io_build, options));
-  TRY(LightSummary light,
-      light_level(io_build.bsp, io_build.face_keys, options, jobs, progress, io_warnings));
+  TRY(LightSummary light, light_level(io_build.bsp, io_build.face_keys, options, jobs, progress, io_warnings,
+                                      &io_build.light_cache));
   set_light(std::move(light), key, io_build);
   return base::Ok{};
 }

@@ -87,6 +87,7 @@ base::Status make_brushes(const formats::Map& map, const TextureSet& textures, c
       io_stages.run("bsp", [&] { return make_draft(map, size, options.draft, jobs, io_warnings); }));
   TRY(Build build, build_of(std::move(made.draft), textures, options.bsp2));
   build.visibility_state = std::move(io_build.visibility_state);
+  build.light_cache = std::move(io_build.light_cache);
   io_build = std::move(build);
   if (!made.leak && !made.is_region) {
     io_build.brushes_key = key;
