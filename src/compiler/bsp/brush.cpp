@@ -19,53 +19,6 @@ void snap(Winding& io_winding) {
     }
 }
 
-// Two sides that bend by less than this over the smaller one's corners (units) are one: rounding would cut
-// faces differently along so flat an edge, and leave gaps as long as the edge is flat.
-constexpr double kFlatBend = 0.05;
-
-bool bends_less(const BrushSide& smaller, const Plane& larger) {
-  return std::all_of(smaller.winding.begin(), smaller.winding.end(), [&](const math::Vec3d& corner) {
-    return std::abs(larger.distance_to(corner)) < kFlatBend;
-  });
-}
-
-// Empties the smaller one of each two sides that are nearly one. One that took another's place stays, so
-// that many small bends do not add up.
-bool drop_flat_bends(std::span<BrushSide> io_sides, const PlaneSet& planes) {
-  std::vector<bool> stays(io_sides.size(), false);
-  bool dropped = false;
-  for (std::size_t i = 0; i < io_sides.size(); ++i)
-    for (std::size_t j = 0; j < io_sides.size(); ++j) {
-      constexpr double kNearlyParallel = 0.9999;
-      BrushSide& side = io_sides[i];
-      const BrushSide& other = io_sides[j];
-      if (i == j || stays[i] || side.winding.empty() || other.winding.empty()) continue;
-      const Plane &plane = planes[side.plane], &beside = planes[other.plane];
-      if (glm::dot(plane.normal, beside.normal) < kNearlyParallel ||
-          area(side.winding) > area(other.winding) || !bends_less(side, beside))
-        continue;
-      side.winding.clear();
-      stays[j] = true;
-      dropped = true;
-    }
-  return dropped;
-}
-
-// Sides that touch nothing.
-void remove_empty(BrushSolid& io_solid) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < io_solid.sides.size(); ++i) {
-    if (io_solid.sides[i].winding.empty()) continue;
-    if (kept != i) {
-      io_solid.sides[kept] = std::move(io_solid.sides[i]);
-      io_solid.side_of[kept] = io_solid.side_of[i];
-    }
-    ++kept;
-  }
-  io_solid.sides.resize(kept);
-  io_solid.side_of.resize(kept);
-}
-
 }  // namespace
 
 std::string describe(const BrushPlace& place) {
@@ -116,12 +69,18 @@ std::optional<BrushSolid> make_solid(const formats::MapBrush& brush, const Brush
     io_warnings.push_back({"brush without volume, or without an end", describe(place)});
     return std::nullopt;
   }
-  if (drop_flat_bends(solid.sides, io_planes)) {
-    remove_empty(solid);
-    make_windings(solid.sides, io_planes, solid.box);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < solid.sides.size(); ++i) {
+    if (solid.sides[i].winding.empty()) continue;
+    if (kept != i) {
+      solid.sides[kept] = std::move(solid.sides[i]);
+      solid.side_of[kept] = solid.side_of[i];
+    }
+    ++kept;
   }
-  remove_empty(solid);
-  if (solid.sides.size() < 4) {
+  solid.sides.resize(kept);
+  solid.side_of.resize(kept);
+  if (kept < 4) {
     io_warnings.push_back({"brush without volume, or without an end", describe(place)});
     return std::nullopt;
   }
