@@ -7,6 +7,7 @@
 
 #include "compiler/brush_boxes.h"
 #include "compiler/compiled_maps.h"
+#include "compiler/sight_lines.h"
 #include "support/effort.h"
 #include "support/game_data.h"
 #include "support/random.h"
@@ -105,6 +106,42 @@ TEST_P(BoxSweeps, EndWhereTheBrushesSay) {
   EXPECT_EQ(too_short, 0);
   EXPECT_GT(stopped, sweeps / 10);
   EXPECT_LT(stopped, sweeps * 9 / 10);
+}
+
+// From info_player_start through courtyard, halls and shafts to the level's far end, where a player's box is
+// free in the finished level from each point to the next.
+constexpr std::array<Vec3, 21> kPathThroughE0m1 = {{
+    {512, 2048, 304},  {1184, 1984, 16},  {1184, 1632, 16},  {640, 1312, 16},   {640, 1216, 48},
+    {640, 1152, 48},   {608, 672, 48},    {-32, 480, 48},    {-32, 160, 48},    {-352, -32, 16},
+    {-544, -32, -48},  {-544, -704, -80}, {480, -960, -144}, {640, -512, -208}, {640, -448, -208},
+    {480, -256, -208}, {480, -192, -176}, {480, 0, -176},    {672, 160, -176},  {704, 352, -208},
+    {704, 352, -144},
+}};
+
+TEST(FastCompile, LetsAPlayerThroughWhereTheFinishedLevelDoes) {
+  DATA_FOLDER_OR_SKIP(data);
+  compiler::CompileOptions options;
+  options.fast_visibility = options.light.fast = true;
+  const auto ours =
+      world::make_level(compile_stock_map(data, "lq_e0m1", options).level.bsp, "compiled").value();
+  const auto theirs = world::make_level(compiler::finished_level(data, "lq_e0m1"), "finished").value();
+  const auto trace = [](const world::Level& level, const Vec3& from, const Vec3& to) {
+    return world::trace_line(level, world::ModelIndex{0}, world::Hull::kPlayer, from, to);
+  };
+  int blocked = 0;
+  for (std::size_t i = 0; i < kPathThroughE0m1.size(); ++i)
+    for (std::size_t k = 0; k < kPathThroughE0m1.size(); ++k) {
+      const Vec3 &from = kPathThroughE0m1[i], &to = kPathThroughE0m1[k];
+      const world::Trace got = trace(*ours, from, to), expected = trace(*theirs, from, to);
+      EXPECT_FALSE(got.start_solid) << i;
+      if (k == i + 1) {
+        EXPECT_EQ(got.fraction, 1) << "the path's piece " << i;
+      }
+      EXPECT_EQ(got.fraction < 1, expected.fraction < 1) << i << " to " << k;
+      EXPECT_LT(glm::length(got.end - expected.end), 0.25F) << i << " to " << k;
+      blocked += expected.fraction < 1 ? 1 : 0;
+    }
+  EXPECT_GT(blocked, 100) << "what is not the path leads through walls";
 }
 
 INSTANTIATE_TEST_SUITE_P(Stock, BoxSweeps,

@@ -217,7 +217,10 @@ TEST_P(SideBySide, ShowsWhatTheFinishedLevelShows) {
   const std::string name = GetParam();
   compiler::CompileOptions options;
   options.light = light_options_of(stock_map(data, name));
-  Painter ours(compile_stock_map(data, name, options).level.bsp, "compiled");
+  CompiledMap compiled = compile_stock_map(data, name, options);
+  EXPECT_TRUE(compiled.warnings.empty());
+  EXPECT_FALSE(compiled.level.leak);
+  Painter ours(std::move(compiled.level.bsp), "compiled");
   Painter theirs(compiler::finished_level(data, name), "finished");
   const bool is_box = name.starts_with("b_");
 
