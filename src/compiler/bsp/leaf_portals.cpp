@@ -39,7 +39,8 @@ class PortalMaker {
     for (const Plane& wall : walls_) cut_to_back(winding, wall, true);
     // From the node upwards: the nearest ancestors cut off most.
     for (std::size_t i = outsides_.size(); i-- > 0 && !winding.empty();)
-      cut_to_back(winding, planes_[outsides_[i]], true);
+      cut_to_back(winding, planes_[outsides_[i]], true,
+                  on_plane_for(plane.normal, planes_[outsides_[i]].normal));
     if (!is_tiny(winding))
       spread(node.children[0], std::move(winding), plane.normal, [&](std::uint32_t front, Winding part) {
         spread(node.children[1], std::move(part), -plane.normal, [&](std::uint32_t back, Winding piece) {
@@ -60,7 +61,7 @@ class PortalMaker {
     while (child >= 0) {
       const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
       const Plane& plane = planes_[node.plane];
-      WindingParts parts = split(winding, plane);
+      WindingParts parts = split(winding, plane, on_plane_for(inwards, plane.normal));
       const bool lies_on = parts.front.empty() && parts.back.empty();
       if (lies_on) {
         child = node.children[glm::dot(inwards, plane.normal) > 0 ? 0 : 1];

@@ -76,8 +76,9 @@ class FacePlacer {
   void find_node(const TreeFace& face, Winding winding, std::int32_t child) {
     while (child >= 0) {
       const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
-      WindingParts parts = split(winding, planes_[node.plane]);
-      const std::size_t facing = glm::dot(planes_[face.plane].normal, planes_[node.plane].normal) > 0 ? 0 : 1;
+      const math::Vec3d &outwards = planes_[face.plane].normal, &normal = planes_[node.plane].normal;
+      WindingParts parts = split(winding, planes_[node.plane], on_plane_for(outwards, normal));
+      const std::size_t facing = glm::dot(outwards, normal) > 0 ? 0 : 1;
       if (parts.front.empty() && parts.back.empty()) {
         if (node.plane == stored(face.plane)) {
           TreeFace placed{winding, face.plane, face.surface, static_cast<std::uint32_t>(child), {}};
@@ -101,7 +102,7 @@ class FacePlacer {
     while (child >= 0) {
       const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
       const Plane& plane = planes_[node.plane];
-      WindingParts parts = split(winding, plane);
+      WindingParts parts = split(winding, plane, on_plane_for(outwards, plane.normal));
       if (parts.front.empty() && parts.back.empty()) {
         child = node.children[glm::dot(outwards, plane.normal) > 0 ? 0 : 1];
         continue;

@@ -23,6 +23,13 @@ math::Vec3d meet(math::Vec3d a, math::Vec3d b, double a_distance, double b_dista
 
 }  // namespace
 
+double on_plane_for(const math::Vec3d& winding_normal, const math::Vec3d& plane_normal) {
+  constexpr double kFlattest = 1e-4;  // sine of the angle: flatter ones are one plane, given twice
+  constexpr double kSteep = 0.1;
+  const double sine = glm::length(glm::cross(winding_normal, plane_normal));
+  return sine < kFlattest || sine > kSteep ? kOnPlane : kOnPlane * sine;
+}
+
 Winding whole_plane(const Plane& plane, double extent) {
   // Any direction far from the normal's.
   math::Vec3d up(0, 0, 1);
