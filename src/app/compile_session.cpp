@@ -163,7 +163,8 @@ base::Result<compiler::CompileReport> CompileSession::run(const compiler::Compil
   watcher.finish();
   print_warnings(warnings);
   if (!report.ok() && interrupt_.was_noted()) {
-    if (options_.clean) return base::Error{base::ErrorCode::kIo, "stopped", options_.source};
+    if (options_.clean || build_.visibility_state.empty())
+      return base::Error{base::ErrorCode::kIo, "stopped", options_.source};
     TRY_STATUS(write_visibility_begun(build_.visibility_state, paths_));
     return base::Error{base::ErrorCode::kIo, "stopped; the next run goes on with visibility from here",
                        options_.source};

@@ -12,7 +12,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds kSaveEvery{30};
+constexpr std::chrono::seconds kSaveEvery{
+    120};  // each time the searches begin anew, which takes seconds on the largest levels
 
 VisibilityState resumed(const Build& build) {
   VisibilityState begun = begin_visibility(build.portals);
