@@ -12,8 +12,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds kSaveEvery{
-    120};  // each time the searches begin anew, which takes seconds on the largest levels
+// Each time the searches begin anew, which takes seconds on the largest levels.
+constexpr std::chrono::seconds kSaveEvery{120};
 
 VisibilityState resumed(const Build& build) {
   VisibilityState begun = begin_visibility(build.portals);
