@@ -31,6 +31,10 @@ struct Box {
 // A square in the plane that reaches beyond `extent` in every direction.
 Winding whole_plane(const Plane& plane, double extent = kWorldExtent);
 
+// Where all of a winding lies.
+enum class WindingSide { kOn, kFront, kBack, kBoth };
+WindingSide side_of(const Winding& winding, const Plane& plane, double on_plane = kOnPlane);
+
 // What lies in front and behind; either may be empty. A winding on the plane goes to neither.
 struct WindingParts {
   Winding front, back;
