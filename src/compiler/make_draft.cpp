@@ -51,8 +51,9 @@ Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& le
   return made;
 }
 
-Partition partition_hull(std::span<const Brush> expanded, const LevelBrushes& level, bool is_world,
+Partition partition_hull(std::vector<Brush> expanded, const LevelBrushes& level, bool is_world,
                          const DraftOptions& options) {
+  for (Brush& brush : expanded) add_windings(brush, level.planes);
   Tree first = build_tree(expanded, level.planes, Cover::kAnySolid);
   const LeafPortals first_portals = make_leaf_portals(first, level.planes);
   Partition made;
@@ -91,7 +92,7 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   jobs.parallel_for(parts.size(), [&](std::size_t job) {
     const std::size_t model = job / kTrees, hull = job % kTrees;
     parts[job] = hull == 0 ? partition_drawn(level.models[model], level, model == 0, options)
-                           : partition_hull(expanded[model][hull - 1], level, model == 0, options);
+                           : partition_hull(std::move(expanded[model][hull - 1]), level, model == 0, options);
   });
 
   DraftResult result;
