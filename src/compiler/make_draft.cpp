@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text.h"
 #include "compiler/bsp/cluster_portals.h"
 #include "compiler/bsp/expand_brush.h"
 #include "compiler/bsp/faces.h"
@@ -122,11 +123,12 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   for (const std::string& texture : level.textures) draft.bsp.miptexes.emplace_back().name = texture;
   draft.bsp.entities = formats::write_entities(level.entities);
   draft.surface_keys = std::move(level.surface_keys);
-  if (const auto& leak = parts.front().leak)
-    result.leak =
-        LeakWay{level.entity_of_occupant[leak->entity],
-                std::string(map.entities[level.entity_of_occupant[leak->entity]].fields.classname()),
-                leak->way_world};
+  if (const auto& leak = parts.front().leak) {
+    const std::size_t entity = level.entity_of_occupant[leak->entity];
+    result.leak = LeakWay{entity, base::quotable(map.entities[entity].fields.classname()), leak->way_world};
+  }
+  if (draft.bsp.faces.empty())
+    io_warnings.push_back({"nothing is drawn", "every side is hidden, or has a texture that is not drawn"});
   return result;
 }
 
