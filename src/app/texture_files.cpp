@@ -81,8 +81,10 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
   const std::string_view key =
       map.entities.empty() ? "" : map.entities.front().fields.find("wad").value_or("");
   for (const std::string& entry : compiler::split_wad_key(key)) {
+    constexpr std::size_t kMaxChars = 120;  // paths are long
     if (!add_first_of(compiler::wad_candidates(entry, map_path.parent_path(), folders), files))
-      io_warnings.push_back({"WAD not found", fmt::format("{} (--wad FOLDER says where to look)", entry)});
+      io_warnings.push_back({"WAD not found", fmt::format("{} (--wad FOLDER says where to look)",
+                                                          base::quotable(entry, kMaxChars))});
   }
   return files;
 }

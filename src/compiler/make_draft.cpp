@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text.h"
 #include "compiler/bsp/cluster_portals.h"
 #include "compiler/bsp/expand_brush.h"
 #include "compiler/bsp/faces.h"
@@ -51,8 +52,9 @@ Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& le
   return made;
 }
 
-Partition partition_hull(std::span<const Brush> expanded, const LevelBrushes& level, bool is_world,
+Partition partition_hull(std::vector<Brush> expanded, const LevelBrushes& level, bool is_world,
                          const DraftOptions& options) {
+  for (Brush& brush : expanded) add_windings(brush, level.planes);
   Tree first = build_tree(expanded, level.planes, Cover::kAnySolid);
   const LeafPortals first_portals = make_leaf_portals(first, level.planes);
   Partition made;
@@ -91,7 +93,7 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   jobs.parallel_for(parts.size(), [&](std::size_t job) {
     const std::size_t model = job / kTrees, hull = job % kTrees;
     parts[job] = hull == 0 ? partition_drawn(level.models[model], level, model == 0, options)
-                           : partition_hull(expanded[model][hull - 1], level, model == 0, options);
+                           : partition_hull(std::move(expanded[model][hull - 1]), level, model == 0, options);
   });
 
   DraftResult result;
@@ -123,11 +125,12 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   draft.bsp.entities = formats::write_entities(level.entities);
   draft.brush_entities = std::move(level.brush_entities);
   draft.surface_keys = std::move(level.surface_keys);
-  if (const auto& leak = parts.front().leak)
-    result.leak =
-        LeakWay{level.entity_of_occupant[leak->entity],
-                std::string(map.entities[level.entity_of_occupant[leak->entity]].fields.classname()),
-                leak->way_world};
+  if (const auto& leak = parts.front().leak) {
+    const std::size_t entity = level.entity_of_occupant[leak->entity];
+    result.leak = LeakWay{entity, base::quotable(map.entities[entity].fields.classname()), leak->way_world};
+  }
+  if (draft.bsp.faces.empty())
+    io_warnings.push_back({"nothing is drawn", "every side is hidden, or has a texture that is not drawn"});
   return result;
 }
 

@@ -18,6 +18,21 @@
 namespace temblor::compiler {
 namespace {
 
+// Lit faces are cut every 240 texels: a side must not become more than some ten thousand of them.
+bool stretch_to_fit(const Winding& winding, math::Vec3d& io_axis, double& io_offset) {
+  constexpr double kMostTexels = 240 * 128;
+  double least = 1e30, most = -1e30;
+  for (const math::Vec3d& point : winding) {
+    least = std::min(least, glm::dot(point, io_axis));
+    most = std::max(most, glm::dot(point, io_axis));
+  }
+  if (most - least <= kMostTexels) return false;
+  const double scale = kMostTexels / (most - least);
+  io_axis *= scale;
+  io_offset *= scale;
+  return true;
+}
+
 class Sorter {
  public:
   Sorter(const formats::Map& map, TextureSize texture_size, Warnings& io_warnings)
@@ -45,6 +60,10 @@ class Sorter {
     if (const BrushClass of_class = brush_class_of(entity.fields); of_class.is_world) {
       add_brushes(number, of_class, math::Vec3d(0.0), out_.models.front());
       add_fields(entity.fields, {number == 0, {}, {}});
+      if (number > 0 && entity.fields.classname() == "worldspawn")
+        warnings_.push_back(
+            {"a second worldspawn", fmt::format("entity {}, line {}: its brushes are taken, its keys are not",
+                                                number, entity.line)});
     } else if (entity.brushes.empty()) {
       add_point_entity(number);
     } else {
@@ -163,8 +182,7 @@ class Sorter {
     for (std::size_t k = 0; k < solid.sides.size(); ++k) {
       BrushSide& side = solid.sides[k];
       const formats::MapSide& map_side = from.sides[solid.side_of[k]];
-      if (is_drawn(map_side.texture))
-        side.surface = add_surface(map_side, place, side.plane, origin_world, keys);
+      if (is_drawn(map_side.texture)) side.surface = add_surface(map_side, place, side, origin_world, keys);
       side.is_seen_from_inside = is_liquid(brush.fill) || of_class.is_seen_from_inside;
       side.splits = special != Special::kHint || special_of(map_side.texture) == Special::kHint;
     }
@@ -181,19 +199,24 @@ class Sorter {
     return static_cast<std::uint32_t>(out_.surface_keys.size() - 1);
   }
 
-  std::uint32_t add_surface(const formats::MapSide& side, const BrushPlace& place, PlaneIndex plane,
+  std::uint32_t add_surface(const formats::MapSide& from, const BrushPlace& place, const BrushSide& side,
                             const math::Vec3d& origin_world, std::uint32_t keys) {
+    const auto warn = [&](const char* kind) {
+      warnings_.push_back({kind, describe(place) + fmt::format(", side in line {}", from.line)});
+    };
     Surface surface;
-    const SideAxes found = side_axes(side.texturing, out_.planes[plane].normal, texture_size_(side.texture));
-    if (found.replaced)
-      warnings_.push_back({"texture axes that do not lie on the side",
-                           describe(place) + fmt::format(", side in line {}", side.line)});
-    // The brush was moved, and its texture with it.
+    const SideAxes found =
+        side_axes(from.texturing, out_.planes[side.plane].normal, texture_size_(from.texture));
+    if (found.replaced) warn("texture axes that do not lie on the side");
     TextureAxes axes = found.axes;
+    const bool is_lit = special_of(from.texture) == Special::kNone;
+    if (is_lit && (stretch_to_fit(side.winding, axes.s_axis, axes.s_offset) |
+                   stretch_to_fit(side.winding, axes.t_axis, axes.t_offset)))
+      warn("texture so small, or side so large, that it was stretched");
+    // The brush was moved, and its texture with it.
     axes.s_offset += glm::dot(origin_world, axes.s_axis);
     axes.t_offset += glm::dot(origin_world, axes.t_axis);
-    surface.texinfo = to_texinfo(axes, add_texture(side.texture),
-                                 special_of(side.texture) == Special::kNone ? 0 : kUnlitTexinfo);
+    surface.texinfo = to_texinfo(axes, add_texture(from.texture), is_lit ? 0 : kUnlitTexinfo);
     surface.keys = keys;
     const std::array<float, 8> key = {surface.texinfo.s_axis.x, surface.texinfo.s_axis.y,
                                       surface.texinfo.s_axis.z, surface.texinfo.s_offset,

@@ -76,10 +76,16 @@ class FacePlacer {
   void find_node(const TreeFace& face, Winding winding, std::int32_t child) {
     while (child >= 0) {
       const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
-      const math::Vec3d &outwards = planes_[face.plane].normal, &normal = planes_[node.plane].normal;
-      WindingParts parts = split(winding, planes_[node.plane], on_plane_for(outwards, normal));
-      const std::size_t facing = glm::dot(outwards, normal) > 0 ? 0 : 1;
-      if (parts.front.empty() && parts.back.empty()) {
+      const Plane& plane = planes_[node.plane];
+      const math::Vec3d& outwards = planes_[face.plane].normal;
+      const double on_plane = on_plane_for(outwards, plane.normal);
+      const WindingSide side = side_of(winding, plane, on_plane);
+      if (side == WindingSide::kFront || side == WindingSide::kBack) {
+        child = node.children[side == WindingSide::kFront ? 0 : 1];
+        continue;
+      }
+      if (side == WindingSide::kOn) {
+        const std::size_t facing = glm::dot(outwards, plane.normal) > 0 ? 0 : 1;
         if (node.plane == stored(face.plane)) {
           TreeFace placed{winding, face.plane, face.surface, static_cast<std::uint32_t>(child), {}};
           find_leafs(std::move(winding), planes_[face.plane].normal, node.children[facing], placed.leafs);
@@ -89,6 +95,7 @@ class FacePlacer {
         child = node.children[facing];
         continue;
       }
+      WindingParts parts = split(winding, plane, on_plane);
       const bool in_front = !is_tiny(parts.front), behind = !is_tiny(parts.back);
       if (!in_front && !behind) return;
       if (in_front && behind) find_node(face, std::move(parts.front), node.children[0]);
@@ -102,11 +109,15 @@ class FacePlacer {
     while (child >= 0) {
       const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
       const Plane& plane = planes_[node.plane];
-      WindingParts parts = split(winding, plane, on_plane_for(outwards, plane.normal));
-      if (parts.front.empty() && parts.back.empty()) {
-        child = node.children[glm::dot(outwards, plane.normal) > 0 ? 0 : 1];
+      const double on_plane = on_plane_for(outwards, plane.normal);
+      const WindingSide side = side_of(winding, plane, on_plane);
+      if (side != WindingSide::kBoth) {
+        const bool front =
+            side == WindingSide::kFront || (side == WindingSide::kOn && glm::dot(outwards, plane.normal) > 0);
+        child = node.children[front ? 0 : 1];
         continue;
       }
+      WindingParts parts = split(winding, plane, on_plane);
       const bool in_front = !is_tiny(parts.front), behind = !is_tiny(parts.back);
       if (!in_front && !behind) return;
       if (in_front && behind) find_leafs(std::move(parts.front), outwards, node.children[0], out);

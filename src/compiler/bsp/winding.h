@@ -36,6 +36,10 @@ double on_plane_for(const math::Vec3d& winding_normal, const math::Vec3d& plane_
 // A square in the plane that reaches beyond `extent` in every direction.
 Winding whole_plane(const Plane& plane, double extent = kWorldExtent);
 
+// Where all of a winding lies.
+enum class WindingSide { kOn, kFront, kBack, kBoth };
+WindingSide side_of(const Winding& winding, const Plane& plane, double on_plane = kOnPlane);
+
 // What lies in front and behind; either may be empty. A winding on the plane goes to neither.
 struct WindingParts {
   Winding front, back;
