@@ -31,4 +31,10 @@ inline std::string printable(std::string_view text) {
   return line;
 }
 
+// As much of it as a message of one line can bear.
+inline std::string quotable(std::string_view text) {
+  constexpr std::size_t kMaxChars = 40;
+  return printable(text.substr(0, kMaxChars)) + (text.size() > kMaxChars ? "..." : "");
+}
+
 }  // namespace temblor::base

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,14 +30,33 @@ struct SurfaceKeys {
   bool operator==(const SurfaceKeys&) const = default;
 };
 
+// Calls visit(field) for each field of `keys`, a SurfaceKeys, const or not: for whoever saves or hashes all.
+template <typename Keys, typename Visit>
+void visit_fields(Keys& keys, const Visit& visit) {
+  visit(keys.phong_angle_deg), visit(keys.phong_angle_concave_deg), visit(keys.phong_group);
+  visit(keys.min_light);
+  for (auto& part : keys.min_light_colour) visit(part);
+  visit(keys.casts_shadow), visit(keys.takes_dirt), visit(keys.takes_bounce), visit(keys.ignores_light);
+  visit(keys.light_map_scale), visit(keys.light_alpha);
+}
+
 // Width and height of a texture in texels; some texture alignments are measured in whole textures.
 using TextureSize = base::FunctionRef<math::Vec2d(std::string_view name)>;
+
+// What becomes of an entity that has brushes.
+struct BrushEntity {
+  bool is_in_level = false;  // worldspawn is; what is part of it, or has no brush with a volume, is not
+  std::string model;         // "*1", ...; empty: the world
+  std::string origin;        // of its origin brush; empty: its own
+  bool operator==(const BrushEntity&) const = default;
+};
 
 struct Draft {
   formats::Bsp bsp;  // no visibility; no light: styles 255, offsets -1
   PortalSet portals;
   std::vector<SurfaceKeys> surface_keys;    // at least one
   std::vector<std::uint32_t> keys_of_face;  // by face, into surface_keys
+  std::vector<BrushEntity> brush_entities;  // of the map, in its order
 };
 
 }  // namespace temblor::compiler

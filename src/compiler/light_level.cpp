@@ -11,6 +11,7 @@
 #include "compiler/light/bounce.h"
 #include "compiler/light/direct_light.h"
 #include "compiler/light/entity_lights.h"
+#include "compiler/light/known_light.h"
 #include "compiler/light/leaf_sight.h"
 #include "compiler/light/light_hash.h"
 #include "compiler/light/light_maps.h"
@@ -37,18 +38,6 @@ struct Preparation {
   std::vector<LightSource> lights;
   std::vector<SkyBeam> beams;
 };
-
-// The level that light falls on: as it is, but unlit.
-formats::Bsp unlit(const formats::Bsp& bsp) {
-  formats::Bsp copy = bsp;
-  copy.lighting.clear();
-  copy.bspx.clear();
-  for (formats::BspFace& face : copy.faces) {
-    face.styles = {255, 255, 255, 255};
-    face.light_offset = -1;
-  }
-  return copy;
-}
 
 LightSettings settings_of(const std::vector<formats::Entity>& entities, const LightOptions& options) {
   const auto world = std::find_if(entities.begin(), entities.end(), [](const formats::Entity& entity) {
@@ -88,10 +77,40 @@ base::Result<Preparation> prepare(const formats::Bsp& bsp, const FaceKeys& face_
                      std::move(scene),    std::move(found.lights), std::move(beams)};
 }
 
-// The direct light of a shard's faces; what other faces get is empty.
+// One progress over all that is done face by face, by any thread.
+class SharedProgress {
+ public:
+  SharedProgress(Progress report, std::size_t total) : report_(report), total_(total) {}
+
+  // False: stop here.
+  bool step() {
+    const std::lock_guard lock(reporting_);
+    stopped_ = stopped_ || !report_(++done_, total_);
+    return !stopped_;
+  }
+
+ private:
+  Progress report_;
+  std::size_t total_, done_ = 0;
+  bool stopped_ = false;
+  std::mutex reporting_;
+};
+
+base::Error stopped() {
+  return base::error(base::ErrorCode::kUsage, "light was stopped");
+}
+
+std::size_t faces_of(const LightShard& shard, std::size_t faces) {
+  return (faces + shard.count - 1 - shard.index) / shard.count;
+}
+
+// The direct light of a shard's faces; what other faces get is empty. `io_learned`: gets the faces; may be
+// null.
 base::Result<std::vector<FaceLight>> direct_light(const Preparation& prepared, const LightOptions& options,
                                                   const LightShard& shard, base::Jobs& io_jobs,
-                                                  Progress progress) {
+                                                  SharedProgress& io_progress,
+                                                  const KnownLight* known = nullptr,
+                                                  LightCache* io_learned = nullptr) {
   const LitLevel& lit = prepared.lit;
   const PhongNormals phong(lit);
   const LeafSight sight(lit, prepared.lights);
@@ -102,21 +121,32 @@ base::Result<std::vector<FaceLight>> direct_light(const Preparation& prepared, c
                                prepared.settings,
                                prepared.lights,
                                prepared.beams,
-                               shadow_sampling(options.extra)};
+                               shadow_sampling(options.extra),
+                               known};
   std::vector<FaceLight> light(lit.level->faces.size());
-  const std::size_t count = (light.size() + shard.count - 1 - shard.index) / shard.count;
-  std::atomic<bool> stopped{false};
-  std::mutex reporting;
-  std::size_t done = 0;
-  io_jobs.parallel_for(count, [&](std::size_t i) {
-    if (stopped.load(std::memory_order_relaxed)) return;
+  if (io_learned != nullptr) io_learned->faces.resize(light.size());
+  std::atomic<bool> is_stopped{false};
+  io_jobs.parallel_for(faces_of(shard, light.size()), [&](std::size_t i) {
+    if (is_stopped.load(std::memory_order_relaxed)) return;
     const std::size_t face = shard.index + i * shard.count;
-    if (lit.gets_light[face]) light[face] = direct_light_of(input, face);
-    const std::lock_guard lock(reporting);
-    if (!progress(++done, count)) stopped = true;
+    if (lit.gets_light[face])
+      light[face] = direct_light_of(input, face, io_learned != nullptr ? &io_learned->faces[face] : nullptr);
+    if (!io_progress.step()) is_stopped = true;
   });
-  if (stopped) return base::error(base::ErrorCode::kUsage, "light was stopped");
+  if (is_stopped) return stopped();
   return light;
+}
+
+// The rays of bounced light: known ones, or traced now.
+base::Result<std::vector<std::uint32_t>> bounces_of(const Preparation& prepared, base::Jobs& io_jobs,
+                                                    SharedProgress& io_progress,
+                                                    const KnownLight* known = nullptr) {
+  if (prepared.settings.bounce.count == 0) return std::vector<std::uint32_t>();
+  if (known != nullptr && are_bounces_of(prepared.lit, known->bounces()))
+    return std::vector<std::uint32_t>(known->bounces().begin(), known->bounces().end());
+  auto seen = trace_bounces(prepared.lit, prepared.scene, io_jobs, [&] { return io_progress.step(); });
+  if (!seen) return stopped();
+  return *std::move(seen);
 }
 
 void set_coloured_lump(const formats::Lit& lit, formats::Bsp& io_bsp) {
@@ -125,11 +155,12 @@ void set_coloured_lump(const formats::Lit& lit, formats::Bsp& io_bsp) {
 }
 
 LightSummary finish(const Preparation& prepared, const LightOptions& options, std::vector<FaceLight> light,
-                    formats::Bsp& io_bsp, base::Jobs& io_jobs, Warnings& io_warnings) {
+                    std::span<const std::uint32_t> bounces, formats::Bsp& io_bsp, base::Jobs& io_jobs,
+                    Warnings& io_warnings) {
   const LightSettings& settings = prepared.settings;
   if (settings.bounce.count > 0)
-    add_bounced_light(prepared.lit, prepared.scene, settings.bounce, options.palette, io_jobs, light);
-  PackedLight packed = pack_light_maps(prepared.lit, settings, light, io_bsp, io_warnings);
+    add_bounced_light(prepared.lit, bounces, settings.bounce, options.palette, io_jobs, light);
+  PackedLight packed = pack_light_maps(prepared.lit, settings, light, io_jobs, io_bsp, io_warnings);
   if (prepared.styles_changed) io_bsp.entities = formats::write_entities(prepared.entities);
   std::erase_if(io_bsp.bspx, [](const formats::BspxLump& lump) { return lump.name == kColouredLump; });
   if (packed.coloured) set_coloured_lump(packed.lit, io_bsp);
@@ -147,14 +178,41 @@ std::vector<std::size_t> luxels_of_faces(const LitLevel& lit) {
   return luxels;
 }
 
+// A cache for what is about to be lit, with nothing in it yet.
+LightCache empty_cache(const Preparation& prepared, formats::Bsp unlit_bsp, const LightOptions& options) {
+  LightCache cache;
+  cache.geometry = hash_of_geometry(std::move(unlit_bsp), prepared.lit, options);
+  cache.dirt = hash_of_dirt(prepared.settings.dirt);
+  cache.sky = hash_of_sky(prepared.beams, prepared.settings.range);
+  for (const LightSource& light : prepared.lights) cache.lights.push_back(light.origin_world);
+  return cache;
+}
+
 }  // namespace
 
 base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& face_keys,
                                        const LightOptions& options, base::Jobs& io_jobs, Progress progress,
-                                       Warnings& io_warnings) {
+                                       Warnings& io_warnings, LightCache* io_cache) {
   TRY(const Preparation prepared, prepare(io_bsp, face_keys, options, io_warnings));
-  TRY(std::vector<FaceLight> light, direct_light(prepared, options, {}, io_jobs, progress));
-  return finish(prepared, options, std::move(light), io_bsp, io_jobs, io_warnings);
+  const std::size_t faces = io_bsp.faces.size();
+  SharedProgress shared(progress, prepared.settings.bounce.count > 0 ? faces * 2 : faces);
+  LightCache learned;
+  std::optional<KnownLight> known;
+  if (io_cache != nullptr) {
+    learned = empty_cache(prepared, unlit(io_bsp), options);
+    known.emplace(*io_cache, learned, prepared.lights);
+  }
+  const KnownLight* const use = known ? &*known : nullptr;
+  TRY(std::vector<FaceLight> light,
+      direct_light(prepared, options, {}, io_jobs, shared, use, io_cache != nullptr ? &learned : nullptr));
+  TRY(std::vector<std::uint32_t> bounces, bounces_of(prepared, io_jobs, shared, use));
+  const LightSummary summary =
+      finish(prepared, options, std::move(light), bounces, io_bsp, io_jobs, io_warnings);
+  if (io_cache != nullptr) {
+    learned.bounces = std::move(bounces);
+    *io_cache = std::move(learned);
+  }
+  return summary;
 }
 
 base::Result<base::ByteVector> light_shard(const formats::Bsp& bsp, const FaceKeys& face_keys,
@@ -163,7 +221,8 @@ base::Result<base::ByteVector> light_shard(const formats::Bsp& bsp, const FaceKe
   CHECK(shard.index < shard.count);
   Warnings told_by_the_merge;
   TRY(const Preparation prepared, prepare(bsp, face_keys, options, told_by_the_merge));
-  TRY(const std::vector<FaceLight> light, direct_light(prepared, options, shard, io_jobs, progress));
+  SharedProgress shared(progress, faces_of(shard, bsp.faces.size()));
+  TRY(const std::vector<FaceLight> light, direct_light(prepared, options, shard, io_jobs, shared));
   return write_shard({hash_of_light_input(unlit(bsp), face_keys, options), shard.index, shard.count}, light);
 }
 
@@ -188,7 +247,10 @@ base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& fac
     for (auto& [face, face_light] : shard.faces) light[face] = std::move(face_light);
   }
   if (shards.empty()) return base::error(base::ErrorCode::kUsage, "no light shards to merge");
-  return finish(prepared, options, std::move(light), io_bsp, io_jobs, io_warnings);
+  const auto unreported = [](std::size_t, std::size_t) { return true; };
+  SharedProgress shared(unreported, 0);
+  TRY(const std::vector<std::uint32_t> bounces, bounces_of(prepared, io_jobs, shared));
+  return finish(prepared, options, std::move(light), bounces, io_bsp, io_jobs, io_warnings);
 }
 
 }  // namespace temblor::compiler

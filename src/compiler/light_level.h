@@ -9,6 +9,7 @@
 #include "base/bytes.h"
 #include "base/parallel_for.h"
 #include "base/result.h"
+#include "compiler/light_cache.h"
 #include "compiler/report.h"
 #include "compiler/surface_keys.h"
 #include "formats/bsp.h"
@@ -39,10 +40,13 @@ struct LightSummary {
 // throws away whatever light there was. Gives switchable lights their "style" in the entity text. A level
 // with visibility is lit faster, and alike. The bytes do not depend on the number of threads. Fails on entity
 // text that does not parse, on faces that no level has, when `progress` says to stop (kUsage), and without
-// Embree's memory; the level is then as it was.
+// Embree's memory; the level and the cache are then as they were.
+//
+// `io_cache`: what earlier runs found out, used and brought up to date; null: none is kept. The light is the
+// same with any.
 base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& face_keys,
                                        const LightOptions& options, base::Jobs& io_jobs, Progress progress,
-                                       Warnings& io_warnings);
+                                       Warnings& io_warnings, LightCache* io_cache = nullptr);
 
 // The same work by several processes: each makes a shard, which is faces index, index + count, ..., and one
 // of them merges all shards to what light_level would have made.

@@ -6,6 +6,7 @@
 #include "compiler/bsp/cluster_portals.h"
 #include "compiler/bsp/expand_brush.h"
 #include "compiler/bsp/faces.h"
+#include "compiler/bsp/fence_sight.h"
 #include "compiler/bsp/fill_outside.h"
 #include "compiler/bsp/leaf_portals.h"
 #include "compiler/bsp/level_brushes.h"
@@ -32,7 +33,7 @@ Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& le
                           const DraftOptions& options) {
   std::vector<Brush> drawn;
   std::copy_if(brushes.begin(), brushes.end(), std::back_inserter(drawn),
-               [](const Brush& b) { return b.is_drawn; });
+               [](const Brush& brush) { return (brush.hulls & kDrawnHull) != 0; });
   Tree first = build_tree(drawn, level.planes, Cover::kLast);
   const LeafPortals first_portals = make_leaf_portals(first, level.planes);
   Partition made;
@@ -45,6 +46,7 @@ Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& le
   prune(made.tree, [](const TreeLeaf& a, const TreeLeaf& b) { return are_one(a, b); });
   made.faces = place_faces(faces, made.tree, level.planes);
   merge_faces(made.faces, level.planes);
+  mark_around_fences(made.faces, made.tree, made.portals.portals);
   subdivide_faces(made.faces, level.surfaces, options.subdivide_texels);
   return made;
 }
@@ -83,7 +85,8 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   for (std::size_t model = 0; model < models; ++model)
     for (std::size_t hull = 0; hull < kHullBoxes.size(); ++hull)
       for (const Brush& brush : level.models[model])
-        if (brush.clips) expanded[model][hull].push_back(expand(brush, kHullBoxes[hull], level.planes));
+        if ((brush.hulls & hull_bit(hull + 1)) != 0)
+          expanded[model][hull].push_back(expand(brush, kHullBoxes[hull], level.planes));
   std::vector<Partition> parts(models * kTrees);
   jobs.parallel_for(parts.size(), [&](std::size_t job) {
     const std::size_t model = job / kTrees, hull = job % kTrees;
@@ -92,6 +95,7 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   });
 
   DraftResult result;
+  result.is_region = level.is_region;
   LevelWriter writer(level.planes);
   std::vector<std::uint32_t> leafs_of_world;
 
@@ -117,6 +121,7 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   }
   for (const std::string& texture : level.textures) draft.bsp.miptexes.emplace_back().name = texture;
   draft.bsp.entities = formats::write_entities(level.entities);
+  draft.brush_entities = std::move(level.brush_entities);
   draft.surface_keys = std::move(level.surface_keys);
   if (const auto& leak = parts.front().leak)
     result.leak =

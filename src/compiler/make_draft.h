@@ -29,6 +29,7 @@ struct LeakWay {
 struct DraftResult {
   Draft draft;  // its textures are names without pictures
   std::optional<LeakWay> leak;
+  bool is_region = false;  // only a part of the map is in it
 };
 
 // The same bytes whatever the number of threads. Errors: no worldspawn, no brush with a volume, a brush

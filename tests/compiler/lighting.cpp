@@ -37,16 +37,17 @@ WallGrid grid_of(int wall) {
 
 }  // namespace
 
-LitResult light(formats::Bsp bsp, const compiler::LightOptions& options, int threads) {
+LitResult light(formats::Bsp bsp, const compiler::LightOptions& options, int threads,
+                compiler::LightCache* io_cache) {
   LitResult result;
   const auto entities = formats::read_entities(bsp.entities);
   const compiler::FaceKeys keys = compiler::face_keys_of(bsp, entities.value());
   base::Jobs jobs(threads, base::JobBackend::kStdThread);
   result.bsp = std::move(bsp);
-  result.summary =
-      compiler::light_level(
-          result.bsp, keys, options, jobs, [](std::size_t, std::size_t) { return true; }, result.warnings)
-          .value();
+  result.summary = compiler::light_level(
+                       result.bsp, keys, options, jobs, [](std::size_t, std::size_t) { return true; },
+                       result.warnings, io_cache)
+                       .value();
   return result;
 }
 

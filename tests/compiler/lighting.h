@@ -19,7 +19,8 @@ struct LitResult {
 };
 
 // Lights a level by its own entity text; CHECKs that it works.
-LitResult light(formats::Bsp bsp, const compiler::LightOptions& options = {}, int threads = 1);
+LitResult light(formats::Bsp bsp, const compiler::LightOptions& options = {}, int threads = 1,
+                compiler::LightCache* io_cache = nullptr);
 
 // The cube room of tests/formats with these entities ("{...}{...}" in .map spelling, single quotes for
 // double) behind worldspawn, which has `world_keys`. Under `sky`, its ceiling is sky.

@@ -64,6 +64,14 @@ std::vector<std::uint32_t> LevelWriter::add_model(const Tree& tree, std::span<co
   add_faces(faces, parts);
   model.face_count = static_cast<std::uint32_t>(bsp_.faces.size()) - model.first_face;
   model.head_nodes = {add_node(tree.root, parts).first, -1, -1, -1};
+  // Engines take a leaf's number here for contents, so a model that is one leaf gets a node all the same.
+  if (tree.is_leaf(tree.root)) {
+    formats::BspNode node;
+    node.plane = plane_number(PlaneIndex{0});
+    node.children = {model.head_nodes[0], model.head_nodes[0]};
+    model.head_nodes[0] = static_cast<std::int32_t>(bsp_.nodes.size());
+    bsp_.nodes.push_back(node);
+  }
   bsp_.models.push_back(model);
   return std::move(parts.leaf_numbers);
 }

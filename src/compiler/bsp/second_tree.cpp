@@ -8,7 +8,8 @@ bool overlap(const Box& a, const Box& b) {
          glm::all(glm::lessThanEqual(b.mins - kOnPlane, a.maxs));
 }
 
-// The brushes, only sides splitting at which the fill changes somewhere (and hints).
+// The brushes, only sides splitting at which the fill changes somewhere, or something is seen
+// (and hints).
 std::vector<Brush> only_bounding(const Tree& tree, std::span<const LeafPortal> portals,
                                  std::span<const Brush> brushes) {
   std::vector<Brush> kept(brushes.begin(), brushes.end());
@@ -20,8 +21,10 @@ std::vector<Brush> only_bounding(const Tree& tree, std::span<const LeafPortal> p
     }
   for (const LeafPortal& portal : portals) {
     const TreeLeaf &front = tree.leafs[portal.leafs[0]], &back = tree.leafs[portal.leafs[1]];
-    if (front.fill == back.fill && front.structure == back.structure) continue;
     const PlaneIndex plane = tree.nodes[portal.node].plane;
+    const bool is_seen = surface_between(front, back, plane, brushes) != kNoSurface ||
+                         surface_between(back, front, turned(plane), brushes) != kNoSurface;
+    if (front.fill == back.fill && front.structure == back.structure && !is_seen) continue;
     Box box;
     box.add(portal.winding);
     bool found = false;

@@ -5,6 +5,7 @@
 #include "compiler/light/bounce.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -111,14 +112,14 @@ void trace_face(const LitLevel& lit, const RayScene& scene, const BouncedWorld& 
                 std::vector<std::uint32_t>& out_seen) {
   const NodeGrid& nodes = bounced.grids[face];
   const LightGrid grid = make_light_grid(lit, face);
-  const std::vector<math::Vec3> luxels = sample_places(lit, scene, grid, 1).points;
-  std::vector<math::Vec3> places;
+  std::vector<std::uint32_t> luxels;
   for (int row = 0; row < nodes.rows; ++row)
     for (int column = 0; column < nodes.columns; ++column) {
       const auto x = std::lround(luxel_of_node(column, nodes.columns, nodes.width));
       const auto y = std::lround(luxel_of_node(row, nodes.rows, nodes.height));
-      places.push_back(luxels[static_cast<std::size_t>(y * nodes.width + x)]);
+      luxels.push_back(static_cast<std::uint32_t>(y * nodes.width + x));
     }
+  const std::vector<math::Vec3> places = places_of_luxels(lit, scene, grid, luxels).points;
   const Frame frame = frame_around(math::Vec3(grid.normal));
   std::vector<math::Vec3> directions(places.size());
   std::vector<RayHit> hits(places.size());
@@ -190,16 +191,34 @@ void add_to_face(const NodeGrid& grid, const std::vector<math::Vec3>& gathered, 
 
 }  // namespace
 
-void add_bounced_light(const LitLevel& lit, const RayScene& scene, const BounceSettings& settings,
-                       const std::optional<formats::Palette>& palette, base::Jobs& io_jobs,
-                       std::vector<FaceLight>& io_light) {
+std::optional<std::vector<std::uint32_t>> trace_bounces(const LitLevel& lit, const RayScene& scene,
+                                                        base::Jobs& io_jobs, base::FunctionRef<bool()> step) {
+  const BouncedWorld bounced = lay_nodes(lit);
+  std::vector<std::uint32_t> seen(bounced.face_of_node.size() * kRays, kNoNode);
+  std::atomic<bool> stopped{false};
+  io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
+    if (stopped.load(std::memory_order_relaxed)) return;
+    if (bounced.grids[face].columns > 0) trace_face(lit, scene, bounced, face, seen);
+    if (!step()) stopped = true;
+  });
+  if (stopped) return std::nullopt;
+  return seen;
+}
+
+bool are_bounces_of(const LitLevel& lit, std::span<const std::uint32_t> seen) {
+  const std::size_t nodes = lay_nodes(lit).face_of_node.size();
+  return seen.size() == nodes * kRays && std::all_of(seen.begin(), seen.end(), [&](std::uint32_t node) {
+           return node < nodes || node == kNoNode;
+         });
+}
+
+void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
+                       const BounceSettings& settings, const std::optional<formats::Palette>& palette,
+                       base::Jobs& io_jobs, std::vector<FaceLight>& io_light) {
   BouncedWorld bounced = lay_nodes(lit);
   if (palette && settings.colour_scale > 0) tint_by_textures(lit, settings, *palette, bounced);
   const std::size_t nodes = bounced.face_of_node.size();
-  std::vector<std::uint32_t> seen(nodes * kRays, kNoNode);
-  io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
-    if (bounced.grids[face].columns > 0) trace_face(lit, scene, bounced, face, seen);
-  });
+  CHECK(seen.size() == nodes * kRays);
   std::vector<math::Vec3> sent = first_light(bounced, io_light);
   std::vector<math::Vec3> gathered(nodes, math::Vec3(0.0f)), gathered_now(nodes);
   for (int bounce = 0; bounce < settings.count; ++bounce) {

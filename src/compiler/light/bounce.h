@@ -1,10 +1,12 @@
 // Light that comes back from lit faces.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "base/function_ref.h"
 #include "base/parallel_for.h"
 #include "compiler/light/face_light.h"
 #include "compiler/light/lit_level.h"
@@ -14,10 +16,19 @@
 
 namespace temblor::compiler {
 
+// What bounced light sees: a number for each of many rays, which depend on the level's shape alone. Calls
+// `step` once for each face, from any thread; nothing when it ever says false.
+std::optional<std::vector<std::uint32_t>> trace_bounces(const LitLevel& lit, const RayScene& scene,
+                                                        base::Jobs& io_jobs, base::FunctionRef<bool()> step);
+
+// Whether `seen` could be trace_bounces' of this level.
+bool are_bounces_of(const LitLevel& lit, std::span<const std::uint32_t> seen);
+
 // Adds to style 0 of every face what it gets from the others after settings.count bounces of style 0. Other
-// styles do not bounce, nor do negative lights. Without a palette no face has a colour. `io_light`: by face.
-void add_bounced_light(const LitLevel& lit, const RayScene& scene, const BounceSettings& settings,
-                       const std::optional<formats::Palette>& palette, base::Jobs& io_jobs,
-                       std::vector<FaceLight>& io_light);
+// styles do not bounce, nor do negative lights. Without a palette no face has a colour. `seen`:
+// trace_bounces' of this level. `io_light`: by face.
+void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
+                       const BounceSettings& settings, const std::optional<formats::Palette>& palette,
+                       base::Jobs& io_jobs, std::vector<FaceLight>& io_light);
 
 }  // namespace temblor::compiler

@@ -3,10 +3,13 @@
 #include "compiler/light/direct_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
+#include <optional>
+#include <utility>
 
 #include "compiler/light/dirt.h"
+#include "compiler/light/shadow_record.h"
 #include "world/visibility.h"
 
 namespace temblor::compiler {
@@ -68,9 +71,26 @@ void fill_hidden(const LightGrid& grid, const SamplePlaces& places, std::span<ma
   }
 }
 
+bool are_of_size(std::span<const LightLayer> layers, std::size_t luxels) {
+  return std::all_of(layers.begin(), layers.end(),
+                     [&](const LightLayer& layer) { return layer.samples.size() == luxels; });
+}
+
+// The factor for each step of a share.
+constexpr std::array<float, kWholeShare + 1> kFactors = [] {
+  std::array<float, kWholeShare + 1> factors{};
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    factors[i] = static_cast<float>(i) / static_cast<float>(kWholeShare);
+  return factors;
+}();
+math::Vec3 factor_of(const Share& share) {
+  return {kFactors[share[0]], kFactors[share[1]], kFactors[share[2]]};
+}
+
 class FaceLighter {
  public:
-  FaceLighter(const DirectLightInput& input, LightGrid grid, SamplePlaces places)
+  // `learned`: null when nothing is to be kept; outlives this.
+  FaceLighter(const DirectLightInput& input, LightGrid grid, SamplePlaces places, LightCache::Face* learned)
       : input_(input),
         grid_(std::move(grid)),
         filter_(input.lit, input.scene, grid_, input.sampling, std::move(places)),
@@ -79,27 +99,34 @@ class FaceLighter {
         flat_normal_(grid_.normal),
         is_flat_(!input.phong.is_curved(grid_.face) || grid_.corners_world.size() < 3),
         is_in_sky_(lies_in_sky(*input.lit.level, filter_.luxel_places().leafs)),
-        unshadowed_(places_.size()) {
-    if (!is_flat_ || input.settings.dirt.on) set_normals();
-    if (input.settings.dirt.on && input.lit.keys_of(grid_.face).takes_dirt)
-      light_.dirt = dirt_at(input.scene, places_, normals_, input.settings.dirt);
+        unshadowed_(places_.size()),
+        known_(learned != nullptr && input.known != nullptr ? input.known->face(grid_.face) : nullptr),
+        learned_(learned),
+        shadows_before_(known_ != nullptr ? base::Bytes(known_->shadows) : base::Bytes(), places_.size()),
+        shadows_(places_.size()) {
+    if (!is_flat_) set_normals();
+    if (input.settings.dirt.on && input.lit.keys_of(grid_.face).takes_dirt) light_.dirt = dirt();
   }
 
   void add_all() {
     const std::vector<world::LeafIndex> leafs = input_.sight.leafs_of(grid_.face, filter_.luxel_places());
     for (std::size_t i = 0; i < input_.lights.size(); ++i)
-      if (may_reach(input_.lights[i]) && input_.sight.light_may_reach(i, leafs)) add(input_.lights[i]);
-    if (!input_.scene.has_sky() || !input_.sight.sky_may_reach(leafs)) return;
-    for (const SkyBeam& beam : input_.beams) add(beam);
+      if (may_reach(input_.lights[i]) && input_.sight.light_may_reach(i, leafs)) add(i);
+    if (input_.scene.has_sky() && !input_.beams.empty() && input_.sight.sky_may_reach(leafs)) add_sky();
   }
 
   FaceLight take() && {
+    if (learned_ != nullptr) {
+      learned_->shadows = std::move(shadows_).take();
+      learned_->dirt = light_.dirt;
+    }
     for (LightLayer& layer : light_.layers) fill_hidden(grid_, filter_.luxel_places(), layer.samples);
     return std::move(light_);
   }
 
  private:
-  void add(const LightSource& light) {
+  void add(std::size_t number) {
+    const LightSource& light = input_.lights[number];
     lit_luxels_.clear();
     float brightest = 0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -109,17 +136,43 @@ class FaceLighter {
       brightest = std::max(brightest, std::abs(unshadowed_[i]));
     }
     if (lit_luxels_.empty()) return;
-    const auto shares = filter_.shares(lit_luxels_, is_rough(brightest),
-                                       [&](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
-                                         input_.scene.towards_point(points, light.origin_world, out);
-                                       });
     const LayerKind kind = light.attenuation == Attenuation::kLocalMinlight ? LayerKind::kRaise
                            : light.value < 0                                ? LayerKind::kSubtract
                                                                             : LayerKind::kAdd;
-    deposit(shares, light.colour, light.style, kind, light.takes_dirt);
+    deposit(shares_of(number, is_rough(brightest)), {light.colour, light.style, kind, light.takes_dirt},
+            light_);
   }
 
-  void add(const SkyBeam& beam) {
+  // The shares of the lit luxels: from the cache, where it has the answer to the same question.
+  std::span<const Share> shares_of(std::size_t number, bool rough) {
+    std::optional<std::span<const Share>> shares;
+    if (known_ != nullptr && input_.known->number_of(number) != KnownLight::kUnknown)
+      shares = shadows_before_.find({input_.known->number_of(number), lit_luxels_, rough});
+    if (!shares)
+      shares = filter_.shares(lit_luxels_, rough,
+                              [&](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
+                                input_.scene.towards_point(points, input_.lights[number].origin_world, out);
+                              });
+    if (learned_ != nullptr) shadows_.add({static_cast<std::uint32_t>(number), lit_luxels_, rough}, *shares);
+    return *shares;
+  }
+
+  // All beams are added up by themselves, so that their sum can be kept.
+  void add_sky() {
+    FaceLight sky;
+    sky.dirt = light_.dirt;
+    if (known_ != nullptr && input_.known->holds_sky() && are_of_size(known_->sky, places_.size()))
+      sky.layers = known_->sky;
+    else
+      for (const SkyBeam& beam : input_.beams) add(beam, sky);
+    for (const LightLayer& from : sky.layers) {
+      std::vector<math::Vec3>& samples = light_.layer(from.style, from.kind, places_.size()).samples;
+      for (std::size_t i = 0; i < samples.size(); ++i) samples[i] += from.samples[i];
+    }
+    if (learned_ != nullptr) learned_->sky = std::move(sky.layers);
+  }
+
+  void add(const SkyBeam& beam, FaceLight& io_sky) {
     if (is_flat_ && glm::dot(flat_normal_, beam.towards_sky) <= 0) return;
     lit_luxels_.clear();
     for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -134,8 +187,15 @@ class FaceLighter {
                                          else
                                            input_.scene.towards_sky(points, beam.towards_sky, out);
                                        });
-    deposit(shares, beam.colour, beam.style, beam.value < 0 ? LayerKind::kSubtract : LayerKind::kAdd,
-            beam.takes_dirt);
+    const LayerKind kind = beam.value < 0 ? LayerKind::kSubtract : LayerKind::kAdd;
+    deposit(shares, {beam.colour, beam.style, kind, beam.takes_dirt}, io_sky);
+  }
+
+  std::vector<float> dirt() {
+    if (known_ != nullptr && input_.known->holds_dirt() && known_->dirt.size() == places_.size())
+      return known_->dirt;
+    if (is_flat_) set_normals();
+    return dirt_at(input_.scene, places_, normals_, input_.settings.dirt);
   }
 
   void set_normals() {
@@ -168,19 +228,23 @@ class FaceLighter {
     return light.cone ? value * cone_factor(*light.cone, way / distance) : value;
   }
 
-  void deposit(std::span<const math::Vec3> shares, const math::Vec3& colour, std::uint8_t style,
-               LayerKind kind, bool takes_dirt) {
-    if (std::all_of(shares.begin(), shares.end(),
-                    [](const math::Vec3& share) { return share == math::Vec3(0.0f); }))
+  struct Arriving {
+    math::Vec3 colour;
+    std::uint8_t style;
+    LayerKind kind;
+    bool takes_dirt;
+  };
+  void deposit(std::span<const Share> shares, const Arriving& light, FaceLight& io_light) {
+    if (std::all_of(shares.begin(), shares.end(), [](const Share& share) { return share == Share{}; }))
       return;
-    std::vector<math::Vec3>& samples = light_.layer(style, kind, places_.size()).samples;
-    const bool dirty = takes_dirt && !light_.dirt.empty();
+    std::vector<math::Vec3>& samples = io_light.layer(light.style, light.kind, places_.size()).samples;
+    const bool dirty = light.takes_dirt && !io_light.dirt.empty();
     for (std::size_t i = 0; i < lit_luxels_.size(); ++i) {
       const std::uint32_t luxel = lit_luxels_[i];
-      const float value = std::abs(unshadowed_[luxel]) * (dirty ? light_.dirt[luxel] : 1);
-      const math::Vec3 arriving = colour * shares[i] * value;
+      const float value = std::abs(unshadowed_[luxel]) * (dirty ? io_light.dirt[luxel] : 1);
+      const math::Vec3 arriving = light.colour * factor_of(shares[i]) * value;
       samples[luxel] =
-          kind == LayerKind::kRaise ? glm::max(samples[luxel], arriving) : samples[luxel] + arriving;
+          light.kind == LayerKind::kRaise ? glm::max(samples[luxel], arriving) : samples[luxel] + arriving;
     }
   }
 
@@ -194,6 +258,10 @@ class FaceLighter {
   std::vector<math::Vec3> normals_;
   std::vector<float> unshadowed_;  // by luxel, of the light at hand
   std::vector<std::uint32_t> lit_luxels_;
+  const LightCache::Face* known_;  // null: nothing is known
+  LightCache::Face* learned_;      // null: nothing is kept
+  ShadowReader shadows_before_;
+  ShadowWriter shadows_;
   FaceLight light_;
 };
 
@@ -220,7 +288,7 @@ FaceLight light_in_middle(const DirectLightInput& input, const LightGrid& grid) 
     SamplePlaces middle = place_in_middle(input.lit, grid.face);
     single.corners_world = {math::Vec3d(middle.points[0])};  // a point, and so flat
     if (middle.is_hidden(0)) return {};
-    FaceLighter lighter(input, std::move(single), std::move(middle));
+    FaceLighter lighter(input, std::move(single), std::move(middle), nullptr);
     lighter.add_all();
     for (const LightLayer& layer : std::move(lighter).take().layers)
       for (math::Vec3& sample : mean.layer(layer.style, layer.kind, grid.size()).samples)
@@ -237,14 +305,14 @@ bool are_all_hidden(const SamplePlaces& places) {
 
 }  // namespace
 
-FaceLight direct_light_of(const DirectLightInput& input, std::size_t face) {
+FaceLight direct_light_of(const DirectLightInput& input, std::size_t face, LightCache::Face* out_learned) {
   const LitLevel& lit = input.lit;
   LightGrid grid = make_light_grid(lit, face);
   SamplePlaces places = sample_places(lit, input.scene, grid, 1);
   const bool takes_light = !lit.keys_of(face).ignores_light;
   if (takes_light && lit.model_of_face[face] != 0 && are_all_hidden(places))
     return light_in_middle(input, grid);
-  FaceLighter lighter(input, std::move(grid), std::move(places));
+  FaceLighter lighter(input, std::move(grid), std::move(places), out_learned);
   if (takes_light) lighter.add_all();
   return std::move(lighter).take();
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/light/face_light.h"
+#include "compiler/light/known_light.h"
 #include "compiler/light/leaf_sight.h"
 #include "compiler/light/light_source.h"
 #include "compiler/light/lit_level.h"
@@ -25,9 +26,11 @@ struct DirectLightInput {
   std::span<const LightSource> lights;
   std::span<const SkyBeam> beams;
   ShadowSampling sampling;
+  const KnownLight* known;  // null: every ray is asked
 };
 
-// For a face that gets light. Safe to call for several faces at once.
-FaceLight direct_light_of(const DirectLightInput& input, std::size_t face);
+// For a face that gets light. Safe to call for several faces at once. `out_learned`: what a cache is to keep
+// of the face; null: nothing.
+FaceLight direct_light_of(const DirectLightInput& input, std::size_t face, LightCache::Face* out_learned);
 
 }  // namespace temblor::compiler

@@ -16,6 +16,7 @@ struct LightLayer {
   std::uint8_t style = 0;
   LayerKind kind = LayerKind::kAdd;
   std::vector<math::Vec3> samples;  // by luxel
+  bool operator==(const LightLayer&) const = default;
 };
 
 struct FaceLight {

@@ -78,9 +78,17 @@ StyledSamples samples_of(const LightSettings& settings, const SurfaceKeys& keys,
   return result;
 }
 
-// Of at most four styles, the lowest first.
-std::vector<StyledSamples> styles_of(const LightSettings& settings, const SurfaceKeys& keys,
-                                     const FaceLight& light, std::size_t luxels, std::size_t& io_dropped) {
+std::size_t luxels_of(const world::Face& face) {
+  return static_cast<std::size_t>(face.light_width()) * static_cast<std::size_t>(face.light_height());
+}
+
+struct FaceStyles {
+  std::vector<StyledSamples> styles;  // of at most four styles, the lowest first
+  std::size_t dropped = 0;            // those that found no room
+};
+
+FaceStyles styles_of(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
+                     std::size_t luxels) {
   std::array<bool, 256> used{};
   used[0] = true;
   for (const LightLayer& layer : light.layers) used[layer.style] = true;
@@ -91,20 +99,25 @@ std::vector<StyledSamples> styles_of(const LightSettings& settings, const Surfac
     if (samples.brightness > 0) styles.push_back(std::move(samples));
   }
   constexpr std::size_t kMostStyles = 4;
-  if (styles.size() <= kMostStyles) return styles;
-  io_dropped += styles.size() - kMostStyles;
+  if (styles.size() <= kMostStyles) return {std::move(styles), 0};
+  const std::size_t dropped = styles.size() - kMostStyles;
   std::stable_sort(styles.begin(), styles.end(),
                    [](const auto& a, const auto& b) { return a.brightness > b.brightness; });
   styles.resize(kMostStyles);
   std::sort(styles.begin(), styles.end(), [](const auto& a, const auto& b) { return a.style < b.style; });
-  return styles;
+  return {std::move(styles), dropped};
 }
 
 }  // namespace
 
 PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
-                            const std::vector<FaceLight>& light, formats::Bsp& io_bsp,
+                            const std::vector<FaceLight>& light, base::Jobs& io_jobs, formats::Bsp& io_bsp,
                             Warnings& io_warnings) {
+  std::vector<FaceStyles> by_face(io_bsp.faces.size());
+  io_jobs.parallel_for(by_face.size(), [&](std::size_t face) {
+    if (lit.gets_light[face])
+      by_face[face] = styles_of(settings, lit.keys_of(face), light[face], luxels_of(lit.level->faces[face]));
+  });
   PackedLight packed;
   io_bsp.lighting.clear();
   std::size_t dropped = 0;
@@ -113,10 +126,8 @@ PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
     face.styles = {255, 255, 255, 255};
     face.light_offset = -1;
     if (!lit.gets_light[number]) continue;
-    const world::Face& shape = lit.level->faces[number];
-    const std::size_t luxels =
-        static_cast<std::size_t>(shape.light_width()) * static_cast<std::size_t>(shape.light_height());
-    const auto styles = styles_of(settings, lit.keys_of(number), light[number], luxels, dropped);
+    const std::vector<StyledSamples>& styles = by_face[number].styles;
+    dropped += by_face[number].dropped;
     ++(styles.empty() ? packed.dark_faces : packed.lit_faces);
     if (styles.empty()) continue;
     face.light_offset = static_cast<std::int32_t>(io_bsp.lighting.size());

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/parallel_for.h"
 #include "compiler/light/face_light.h"
 #include "compiler/light/lit_level.h"
 #include "compiler/light/settings.h"
@@ -23,6 +24,7 @@ struct PackedLight {
 // after the other, the lowest first. A style without any light is left out; of more than four the brightest
 // stay (a warning counts the rest). `light`: by face.
 PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
-                            const std::vector<FaceLight>& light, formats::Bsp& io_bsp, Warnings& io_warnings);
+                            const std::vector<FaceLight>& light, base::Jobs& io_jobs, formats::Bsp& io_bsp,
+                            Warnings& io_warnings);
 
 }  // namespace temblor::compiler

@@ -1,5 +1,5 @@
 // Method: rays go to Embree sixteen at a time, neighbours together, as most of them run the same way.
-// What lets some light through is a geometry of its own with a filter: it takes down how much is lost and
+// What lets some light through is a scene of its own with a filter: it takes down how much is lost and
 // sends the ray on. Losses are added as whole numbers, so that their order does not matter.
 #include "compiler/light/ray_scene.h"
 
@@ -227,7 +227,7 @@ constexpr float kToTheSky = 1 << 26;  // longer than any level is wide
 
 struct RayScene::Scenes {
   Device device;
-  Scene blockers, opaque, sky;
+  Scene opaque, sieve, sky;
   SieveSet sieves;
   SkySet skies;
   std::vector<OccluderTriangle> opaque_triangles;
@@ -236,7 +236,13 @@ struct RayScene::Scenes {
   void shares(const LaneMask& mask, RTCRay16& io_rays, math::Vec3* out_share) const {
     LossContext context;
     init_context(context.embree);
-    occluded16(mask.lane.data(), blockers.get(), context.embree, io_rays);
+    occluded16(mask.lane.data(), opaque.get(), context.embree, io_rays);
+    if (!sieves.triangles.empty()) {
+      LaneMask left = mask;
+      for (std::size_t i = 0; i < kLanes; ++i)
+        if (io_rays.tfar[i] < 0) left.lane[i] = 0;
+      if (left.any()) occluded16(left.lane.data(), sieve.get(), context.embree, io_rays);
+    }
     for (std::size_t i = 0; i < kLanes; ++i) {
       if (mask.lane[i] == 0) continue;
       // Embree sets tfar to minus infinity where a ray is blocked.
@@ -263,14 +269,13 @@ base::Result<RayScene> RayScene::make(Occluders occluders) {
   scenes->opaque = make_scene(device);
   add_triangles(device, scenes->opaque.get(), occluders.vertices, scenes->opaque_triangles,
                 {&scenes->opaque_triangles, nullptr, break_ties});
-  scenes->blockers = make_scene(device);
-  add_triangles(device, scenes->blockers.get(), occluders.vertices, scenes->opaque_triangles, {});
-  add_triangles(device, scenes->blockers.get(), occluders.vertices, scenes->sieves.triangles,
+  scenes->sieve = make_scene(device);
+  add_triangles(device, scenes->sieve.get(), occluders.vertices, scenes->sieves.triangles,
                 {&scenes->sieves, pass_sieves, nullptr});
   scenes->sky = make_scene(device);
   add_triangles(device, scenes->sky.get(), occluders.vertices, scenes->skies.triangles,
                 {&scenes->skies, nullptr, turn_down_back_sides});
-  for (const RTCScene scene : {scenes->opaque.get(), scenes->blockers.get(), scenes->sky.get()})
+  for (const RTCScene scene : {scenes->opaque.get(), scenes->sieve.get(), scenes->sky.get()})
     rtcCommitScene(scene);
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE)
     return base::error(base::ErrorCode::kTooLarge, "no memory for the {} triangles that light meets",

@@ -140,4 +140,19 @@ SamplePlaces sample_places(const LitLevel& lit, const RayScene& scene, const Lig
   return places;
 }
 
+SamplePlaces places_of_luxels(const LitLevel& lit, const RayScene& scene, const LightGrid& grid,
+                              std::span<const std::uint32_t> luxels) {
+  SamplePlaces places;
+  places.points.reserve(luxels.size());
+  places.leafs.reserve(luxels.size());
+  for (const std::uint32_t luxel : luxels) {
+    const auto width = static_cast<std::uint32_t>(grid.width);
+    add_place(
+        lit, scene, grid,
+        grid.origin_world + grid.column_step * double(luxel % width) + grid.row_step * double(luxel / width),
+        places);
+  }
+  return places;
+}
+
 }  // namespace temblor::compiler

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "compiler/light/lit_level.h"
@@ -39,5 +41,8 @@ struct SamplePlaces {
 // face, the place is the grid's own as far as one can go there from the face without meeting anything: so
 // neighbours in one plane measure the same light along their seam, and nothing is measured beyond a wall.
 SamplePlaces sample_places(const LitLevel& lit, const RayScene& scene, const LightGrid& grid, int per_luxel);
+// One sample each of some luxels, by number.
+SamplePlaces places_of_luxels(const LitLevel& lit, const RayScene& scene, const LightGrid& grid,
+                              std::span<const std::uint32_t> luxels);
 
 }  // namespace temblor::compiler

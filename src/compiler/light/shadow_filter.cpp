@@ -81,11 +81,19 @@ bool ShadowFilter::is_at_edge(std::uint32_t luxel) const {
   return false;
 }
 
-std::span<const math::Vec3> ShadowFilter::shares(std::span<const std::uint32_t> luxels, bool rough,
-                                                 ShareQuery query) {
+std::span<const Share> ShadowFilter::in_steps(std::span<const math::Vec3> shares) {
+  const auto step = [](float share) { return static_cast<std::uint8_t>(share * kWholeShare + 0.5f); };
+  result_.resize(shares.size());
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    result_[i] = {step(shares[i].x), step(shares[i].y), step(shares[i].z)};
+  return result_;
+}
+
+std::span<const Share> ShadowFilter::shares(std::span<const std::uint32_t> luxels, bool rough,
+                                            ShareQuery query) {
   if (rough) {
     ask(luxels, single_.points, 1, query);
-    return answers_;
+    return in_steps(answers_);
   }
   sample(luxels, sampling_.everywhere, query);
   if (sampling_.at_edges > sampling_.everywhere) {
@@ -96,9 +104,9 @@ std::span<const math::Vec3> ShadowFilter::shares(std::span<const std::uint32_t> 
     for (const std::uint32_t luxel : luxels) known_[luxel] = 0;
     if (!at_edges_.empty()) sample(at_edges_, sampling_.at_edges, query);
   }
-  result_.clear();
-  for (const std::uint32_t luxel : luxels) result_.push_back(share_of_luxel_[luxel]);
-  return result_;
+  answers_.clear();
+  for (const std::uint32_t luxel : luxels) answers_.push_back(share_of_luxel_[luxel]);
+  return in_steps(answers_);
 }
 
 }  // namespace temblor::compiler

@@ -6,6 +6,7 @@
 // luxels, disagree are all of them taken.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,6 +24,11 @@ struct ShadowSampling {
 // For LightOptions::extra of 1, 2, 4.
 ShadowSampling shadow_sampling(int extra);
 
+// The share of a light that a luxel gets, by channel: 0 to kWholeShare, in which those of 2x2 and 4x4 samples
+// are whole steps. So little is kept of it that the shadows of a whole level can be (light_cache.h).
+using Share = std::array<std::uint8_t, 3>;
+constexpr std::uint8_t kWholeShare = 240;
+
 using ShareQuery =
     base::FunctionRef<void(std::span<const math::Vec3> points, std::span<math::Vec3> out_share)>;
 
@@ -37,7 +43,7 @@ class ShadowFilter {
 
   // The shares of the luxels named by `luxels`, none of them hidden, each once, in rising order; with
   // `rough`, of one sample each. Valid until the next call.
-  std::span<const math::Vec3> shares(std::span<const std::uint32_t> luxels, bool rough, ShareQuery query);
+  std::span<const Share> shares(std::span<const std::uint32_t> luxels, bool rough, ShareQuery query);
 
  private:
   struct FinerPoints {
@@ -49,6 +55,7 @@ class ShadowFilter {
            ShareQuery query);
   void sample(std::span<const std::uint32_t> luxels, int per_luxel, ShareQuery query);
   bool is_at_edge(std::uint32_t luxel) const;
+  std::span<const Share> in_steps(std::span<const math::Vec3> shares);
 
   const LitLevel& lit_;
   const RayScene& scene_;
@@ -60,7 +67,7 @@ class ShadowFilter {
   std::vector<math::Vec3> share_of_luxel_;    // of the whole grid
   std::vector<std::uint8_t> known_, mixed_;   // of the whole grid
   std::vector<std::uint32_t> at_edges_;
-  std::vector<math::Vec3> result_;
+  std::vector<Share> result_;
 };
 
 }  // namespace temblor::compiler
