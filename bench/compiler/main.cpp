@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -129,6 +130,7 @@ ProcessCost run_program(const std::string& program, std::vector<std::string> wor
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const double begin = wall_now_s();
+  std::fflush(stdout);  // else the child would print it too
   const pid_t child = fork();
   if (child == 0) {
     if (std::freopen("/dev/null", "w", stdout) != nullptr) execv(arguments[0], arguments.data());
