@@ -14,8 +14,6 @@
 #include "app/game_files.h"
 #include "app/progress.h"
 #include "app/texture_files.h"
-#include "artgen/palette.h"
-#include "assets/assets.h"
 #include "base/text.h"
 #include "compiler/prefabs.h"
 #include "formats/lit.h"
@@ -26,14 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using compiler::StageWish;
-
-base::Result<formats::Palette> find_palette(const GameFolders& folders) {
-  std::error_code ignored;
-  if (folders.base_folder.empty() && !fs::is_directory("id1", ignored)) return artgen::make_palette();
-  TRY(const vfs::FileSystem files, open_files(folders));
-  TRY(const assets::Look look, assets::load_look(files));
-  return look.palette;
-}
 
 bool is_level(const fs::path& source) {
   return base::to_lower(source.extension().string()) == ".bsp";
@@ -128,10 +118,10 @@ CompileSession::CompileSession(const CompileCommandOptions& options, formats::Pa
 
 base::Result<std::unique_ptr<CompileSession>> CompileSession::begin(const CompileCommandOptions& options,
                                                                     const GameFolders& folders) {
-  TRY(const formats::Palette palette, find_palette(folders));
+  TRY(const assets::Look look, find_look(folders));
   const fs::path out =
       options.out.empty() ? fs::path(options.source).replace_extension(".bsp") : fs::path(options.out);
-  std::unique_ptr<CompileSession> session(new CompileSession(options, palette, level_paths(out)));
+  std::unique_ptr<CompileSession> session(new CompileSession(options, look.palette, level_paths(out)));
   // A level that becomes another one begins with what is in it.
   const bool is_its_own_source = !is_level(options.source) || fs::path(options.source) == out;
   if (!options.clean && is_its_own_source) session->build_ = read_build_file(session->paths_);

@@ -6,6 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include "artgen/palette.h"
+#include "artgen/small_level.h"
 #include "base/text.h"
 #include "compiler/make_wad.h"
 #include "compiler/wad_paths.h"
@@ -85,6 +87,11 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
     if (!add_first_of(compiler::wad_candidates(entry, map_path.parent_path(), folders), files))
       io_warnings.push_back({"WAD not found", fmt::format("{} (--wad FOLDER says where to look)",
                                                           base::quotable(entry, kMaxChars))});
+  }
+  if (palette == artgen::make_palette()) {
+    TRY(base::ByteVector own, formats::write_bsp(artgen::make_small_level({.pvs = false, .light = false}),
+                                                 formats::BspVersion::k29));
+    files.add("Temblor's own", std::move(own));
   }
   return files;
 }

@@ -247,8 +247,8 @@ TEST_F(CompileProgram, ScriptForGnuParallelMakesTheSameLevel) {
   folder_.write("room.map", lit_room());
   ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "whole.bsp"}).exit_status, 0);
   const std::string command =
-      fmt::format("cd '{}' && TEMBLOR='{}' '{}/docs/compile_with_parallel.sh' 2 room.map >log 2>&1",
-                  folder_.path().string(), TEMBLOR_PROGRAM, TEMBLOR_SOURCE_DIR);
+      fmt::format("cd '{}' && TEMBLOR='{}' '{}/compile_with_parallel.sh' 2 room.map >log 2>&1",
+                  folder_.path().string(), TEMBLOR_PROGRAM, TEMBLOR_DOCS);
   ASSERT_EQ(std::system(command.c_str()), 0) << read_text(folder_.path() / "log");
   EXPECT_EQ(read_text(folder_.path() / "room.bsp"), read_text(folder_.path() / "whole.bsp"));
   EXPECT_EQ(read_text(folder_.path() / "room.lit"), read_text(folder_.path() / "whole.lit"));

@@ -29,8 +29,8 @@ struct Box {
 };
 
 // How near to a plane is on it, for a winding that lies in a plane of that normal. Where two planes meet at a
-// small angle, all that is within kOnPlane of one is a wide strip of the other: taken for one side or the other
-// as a whole, it would be a gap between two faces, or drawn twice.
+// small angle, all that is within kOnPlane of one is a wide strip of the other: taken for one side or the
+// other as a whole, it would be a gap between two faces, or drawn twice.
 double on_plane_for(const math::Vec3d& winding_normal, const math::Vec3d& plane_normal);
 
 // A square in the plane that reaches beyond `extent` in every direction.
