@@ -30,9 +30,9 @@ void expect_stable(base::Bytes bytes) {
   if (!cache.ok()) return;
   const base::ByteVector written = compiler::write_light_cache(*cache);
   CHECK(std::ranges::equal(written, bytes));
-  for (const compiler::LightCache::Face& face : cache->faces)
+  for (const compiler::LightCache::Map& map : cache->maps)
     for (const std::size_t luxels : {std::size_t{1}, std::size_t{9}, std::size_t{100}})
-      ask_shadows(face.shadows, luxels);
+      ask_shadows(map.shadows, luxels);
 }
 
 }  // namespace

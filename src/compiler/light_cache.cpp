@@ -1,7 +1,7 @@
 // Layout, little-endian:
 //   u32 "TLCH", u32 version, u64 geometry, u64 dirt, u64 sky
 //   u32 lights, for each three f32
-//   u32 faces, for each
+//   u32 light maps, for each
 //     u32 bytes of shadows, the bytes; u32 values of dirt, f32 each
 //     u8 layers of sky, for each u8 style, u8 kind, u32 samples, for each three f32
 //   u32 values of bounces, u32 each
@@ -41,21 +41,21 @@ std::vector<T> read_all(base::ByteReader& io_reader) {
   return values;
 }
 
-void write_face(const LightCache::Face& face, base::ByteWriter& io_writer) {
-  write_all(face.shadows, io_writer);
-  write_all(face.dirt, io_writer);
-  io_writer.u8(static_cast<std::uint8_t>(face.sky.size()));
-  for (const LightLayer& layer : face.sky) {
+void write_map(const LightCache::Map& map, base::ByteWriter& io_writer) {
+  write_all(map.shadows, io_writer);
+  write_all(map.dirt, io_writer);
+  io_writer.u8(static_cast<std::uint8_t>(map.sky.size()));
+  for (const LightLayer& layer : map.sky) {
     io_writer.u8(layer.style);
     io_writer.u8(static_cast<std::uint8_t>(layer.kind));
     write_all(layer.samples, io_writer);
   }
 }
 
-base::Result<LightCache::Face> read_face(base::ByteReader& io_reader) {
-  LightCache::Face face;
-  face.shadows = read_all<std::byte>(io_reader);
-  face.dirt = read_all<float>(io_reader);
+base::Result<LightCache::Map> read_map(base::ByteReader& io_reader) {
+  LightCache::Map map;
+  map.shadows = read_all<std::byte>(io_reader);
+  map.dirt = read_all<float>(io_reader);
   const std::size_t layers = io_reader.u8();
   for (std::size_t i = 0; i < layers && io_reader.ok(); ++i) {
     LightLayer layer;
@@ -65,10 +65,11 @@ base::Result<LightCache::Face> read_face(base::ByteReader& io_reader) {
       return base::malformed("light cache: no kind {} of light at {}", kind, io_reader.offset());
     layer.kind = static_cast<LayerKind>(kind);
     layer.samples = read_all<math::Vec3>(io_reader);
-    face.sky.push_back(std::move(layer));
+    map.sky.push_back(std::move(layer));
   }
-  if (!io_reader.ok()) return base::malformed("light cache: ends within a face at {}", io_reader.offset());
-  return face;
+  if (!io_reader.ok())
+    return base::malformed("light cache: ends within a light map at {}", io_reader.offset());
+  return map;
 }
 
 }  // namespace
@@ -79,8 +80,8 @@ base::ByteVector write_light_cache(const LightCache& cache) {
   writer.u32(kVersion);
   for (const std::uint64_t hash : {cache.geometry, cache.dirt, cache.sky}) writer.write(hash);
   write_all(cache.lights, writer);
-  writer.u32(static_cast<std::uint32_t>(cache.faces.size()));
-  for (const LightCache::Face& face : cache.faces) write_face(face, writer);
+  writer.u32(static_cast<std::uint32_t>(cache.maps.size()));
+  for (const LightCache::Map& map : cache.maps) write_map(map, writer);
   write_all(cache.bounces, writer);
   writer.write(base::hash_of_bytes(writer.view()));
   return std::move(writer).take();
@@ -99,14 +100,14 @@ base::Result<LightCache> read_light_cache(base::Bytes bytes) {
   LightCache cache;
   for (std::uint64_t* hash : {&cache.geometry, &cache.dirt, &cache.sky}) *hash = reader.read<std::uint64_t>();
   cache.lights = read_all<math::Vec3>(reader);
-  const std::uint32_t faces = reader.u32();
-  for (std::uint32_t i = 0; i < faces && reader.ok(); ++i) {
-    TRY(LightCache::Face face, read_face(reader));
-    cache.faces.push_back(std::move(face));
+  const std::uint32_t maps = reader.u32();
+  for (std::uint32_t i = 0; i < maps && reader.ok(); ++i) {
+    TRY(LightCache::Map map, read_map(reader));
+    cache.maps.push_back(std::move(map));
   }
   cache.bounces = read_all<std::uint32_t>(reader);
   if (!reader.ok() || reader.remaining() > 0)
-    return base::malformed("light cache: {} bytes are not those of its {} faces", bytes.size(), faces);
+    return base::malformed("light cache: {} bytes are not those of its {} light maps", bytes.size(), maps);
   return cache;
 }
 

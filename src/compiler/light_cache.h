@@ -16,18 +16,18 @@ namespace temblor::compiler {
 // light is the same, byte for byte, with any cache that it ever filled. About 15 MB for a level of 200,000
 // luxels and 2,600 lights.
 struct LightCache {
-  struct Face {
+  struct Map {
     base::ByteVector shadows;     // a ShadowWriter's
     std::vector<float> dirt;      // by luxel; empty: none was asked for
     std::vector<LightLayer> sky;  // what comes from suns and domes
-    bool operator==(const Face&) const = default;
+    bool operator==(const Map&) const = default;
   };
 
   std::uint64_t geometry = 0;      // a hash of all that rays meet, and of where light is measured; 0: empty
   std::uint64_t dirt = 0;          // a hash of what was asked of dirt
   std::uint64_t sky = 0;           // and of suns and domes
   std::vector<math::Vec3> lights;  // where they stand: a record of shadows names them by number
-  std::vector<Face> faces;         // by face of the level
+  std::vector<Map> maps;           // by light map of the level
   std::vector<std::uint32_t> bounces;  // a trace_bounces' (light/bounce.h); empty: nothing bounced
   bool operator==(const LightCache&) const = default;
 };

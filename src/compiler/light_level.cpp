@@ -53,17 +53,9 @@ LightSettings settings_of(const std::vector<formats::Entity>& entities, const Li
   return settings;
 }
 
-// Games without the BSPX lumps for it would show other grids than 16 texels as noise.
-void warn_of_scaled_grids(const FaceKeys& face_keys, Warnings& io_warnings) {
-  const bool any = std::any_of(face_keys.keys.begin(), face_keys.keys.end(),
-                               [](const SurfaceKeys& keys) { return keys.light_map_scale != 1; });
-  if (any) io_warnings.push_back({"_lmscale is not known", "light is measured every 16 texels"});
-}
-
 base::Result<Preparation> prepare(const formats::Bsp& bsp, const FaceKeys& face_keys,
                                   const LightOptions& options, Warnings& io_warnings) {
   TRY(std::vector<formats::Entity> entities, formats::read_entities(bsp.entities));
-  warn_of_scaled_grids(face_keys, io_warnings);
   const bool styles_changed = assign_switchable_styles(entities, io_warnings);
   const LightSettings settings = settings_of(entities, options);
   TRY(LitLevel lit, make_lit_level(unlit(bsp), face_keys));
@@ -100,12 +92,11 @@ base::Error stopped() {
   return base::error(base::ErrorCode::kUsage, "light was stopped");
 }
 
-std::size_t faces_of(const LightShard& shard, std::size_t faces) {
-  return (faces + shard.count - 1 - shard.index) / shard.count;
+std::size_t maps_of(const LightShard& shard, std::size_t maps) {
+  return (maps + shard.count - 1 - shard.index) / shard.count;
 }
 
-// The direct light of a shard's faces; what other faces get is empty. `io_learned`: gets the faces; may be
-// null.
+// The direct light of a shard's light maps; what others get is empty. `io_learned`: gets them; may be null.
 base::Result<std::vector<FaceLight>> direct_light(const Preparation& prepared, const LightOptions& options,
                                                   const LightShard& shard, base::Jobs& io_jobs,
                                                   SharedProgress& io_progress,
@@ -123,14 +114,14 @@ base::Result<std::vector<FaceLight>> direct_light(const Preparation& prepared, c
                                prepared.beams,
                                shadow_sampling(options.extra),
                                known};
-  std::vector<FaceLight> light(lit.level->faces.size());
-  if (io_learned != nullptr) io_learned->faces.resize(light.size());
+  std::vector<FaceLight> light(lit.maps.size());
+  if (io_learned != nullptr) io_learned->maps.resize(light.size());
   std::atomic<bool> is_stopped{false};
-  io_jobs.parallel_for(faces_of(shard, light.size()), [&](std::size_t i) {
+  io_jobs.parallel_for(maps_of(shard, light.size()), [&](std::size_t i) {
     if (is_stopped.load(std::memory_order_relaxed)) return;
-    const std::size_t face = shard.index + i * shard.count;
-    if (lit.gets_light[face])
-      light[face] = direct_light_of(input, face, io_learned != nullptr ? &io_learned->faces[face] : nullptr);
+    const std::size_t map = shard.index + i * shard.count;
+    if (lit.gets_light[lit.maps[map].face])
+      light[map] = direct_light_of(input, map, io_learned != nullptr ? &io_learned->maps[map] : nullptr);
     if (!io_progress.step()) is_stopped = true;
   });
   if (is_stopped) return stopped();
@@ -170,11 +161,9 @@ LightSummary finish(const Preparation& prepared, const LightOptions& options, st
   return summary;
 }
 
-std::vector<std::size_t> luxels_of_faces(const LitLevel& lit) {
+std::vector<std::size_t> luxels_of_maps(const LitLevel& lit) {
   std::vector<std::size_t> luxels;
-  for (const world::Face& face : lit.level->faces)
-    luxels.push_back(static_cast<std::size_t>(face.light_width()) *
-                     static_cast<std::size_t>(face.light_height()));
+  for (const LightMapShape& map : lit.maps) luxels.push_back(map.size());
   return luxels;
 }
 
@@ -194,8 +183,8 @@ base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& fac
                                        const LightOptions& options, base::Jobs& io_jobs, Progress progress,
                                        Warnings& io_warnings, LightCache* io_cache) {
   TRY(const Preparation prepared, prepare(io_bsp, face_keys, options, io_warnings));
-  const std::size_t faces = io_bsp.faces.size();
-  SharedProgress shared(progress, prepared.settings.bounce.count > 0 ? faces * 2 : faces);
+  const std::size_t maps = prepared.lit.maps.size();
+  SharedProgress shared(progress, prepared.settings.bounce.count > 0 ? maps + io_bsp.faces.size() : maps);
   LightCache learned;
   std::optional<KnownLight> known;
   if (io_cache != nullptr) {
@@ -221,7 +210,7 @@ base::Result<base::ByteVector> light_shard(const formats::Bsp& bsp, const FaceKe
   CHECK(shard.index < shard.count);
   Warnings told_by_the_merge;
   TRY(const Preparation prepared, prepare(bsp, face_keys, options, told_by_the_merge));
-  SharedProgress shared(progress, faces_of(shard, bsp.faces.size()));
+  SharedProgress shared(progress, maps_of(shard, prepared.lit.maps.size()));
   TRY(const std::vector<FaceLight> light, direct_light(prepared, options, shard, io_jobs, shared));
   return write_shard({hash_of_light_input(unlit(bsp), face_keys, options), shard.index, shard.count}, light);
 }
@@ -230,7 +219,7 @@ base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& fac
                                        const LightOptions& options, std::span<const base::Bytes> shards,
                                        base::Jobs& io_jobs, Warnings& io_warnings) {
   TRY(const Preparation prepared, prepare(io_bsp, face_keys, options, io_warnings));
-  const std::vector<std::size_t> luxels = luxels_of_faces(prepared.lit);
+  const std::vector<std::size_t> luxels = luxels_of_maps(prepared.lit);
   const std::uint64_t level = hash_of_light_input(unlit(io_bsp), face_keys, options);
   std::vector<FaceLight> light(luxels.size());
   std::vector<bool> merged(shards.size());
@@ -244,7 +233,7 @@ base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& fac
       return base::error(base::ErrorCode::kUsage, "light shard {} of {} among {} shards", header.index,
                          header.count, shards.size());
     merged[header.index] = true;
-    for (auto& [face, face_light] : shard.faces) light[face] = std::move(face_light);
+    for (auto& [map, map_light] : shard.maps) light[map] = std::move(map_light);
   }
   if (shards.empty()) return base::error(base::ErrorCode::kUsage, "no light shards to merge");
   const auto unreported = [](std::size_t, std::size_t) { return true; };

@@ -48,8 +48,8 @@ base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& fac
                                        const LightOptions& options, base::Jobs& io_jobs, Progress progress,
                                        Warnings& io_warnings, LightCache* io_cache = nullptr);
 
-// The same work by several processes: each makes a shard, which is faces index, index + count, ..., and one
-// of them merges all shards to what light_level would have made.
+// The same work by several processes: each makes a shard, which is light maps index, index + count, ..., and
+// one of them merges all shards to what light_level would have made.
 struct LightShard {
   std::uint32_t index = 0, count = 1;  // index < count
 };

@@ -160,22 +160,22 @@ TEST(LightCache, IsUsed) {
   LightCache cache;
   light(bsp, {}, 1, &cache);
   EXPECT_TRUE(is_used(bsp, cache, [](LightCache& io_cache) {
-    for (LightCache::Face& face : io_cache.faces)
-      for (compiler::LightLayer& layer : face.sky)
+    for (LightCache::Map& map : io_cache.maps)
+      for (compiler::LightLayer& layer : map.sky)
         for (math::Vec3& sample : layer.samples) sample *= 0.5f;
   }));
   EXPECT_TRUE(is_used(bsp, cache, [](LightCache& io_cache) {
-    for (LightCache::Face& face : io_cache.faces)
-      for (float& dirt : face.dirt) dirt *= 0.5f;
+    for (LightCache::Map& map : io_cache.maps)
+      for (float& dirt : map.dirt) dirt *= 0.5f;
   }));
   EXPECT_TRUE(is_used(bsp, cache, [](LightCache& io_cache) {
     for (std::uint32_t& seen : io_cache.bounces) seen = 0;
   }));
   EXPECT_TRUE(is_used(bsp, cache, [&](LightCache& io_cache) {
     const auto level_read = world::make_level(bsp, "edited").value();
-    for (std::size_t face = 0; face < io_cache.faces.size(); ++face)
-      io_cache.faces[face].shadows =
-          darkened(io_cache.faces[face].shadows, luxels_of(level_read->faces[face]), cache.lights.size());
+    for (std::size_t face = 0; face < level_read->faces.size(); ++face)
+      io_cache.maps[face].shadows =
+          darkened(io_cache.maps[face].shadows, luxels_of(level_read->faces[face]), cache.lights.size());
   }));
 }
 

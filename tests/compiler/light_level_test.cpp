@@ -168,12 +168,6 @@ TEST(LightLevel, BrushModelsHaveTheirOwnLeastLight) {
   }
 }
 
-TEST(LightLevel, SaysWhatItDoesNotKnow) {
-  const LitResult lit = light(room_with({"{ 'classname' 'func_wall' 'model' '*1' '_lmscale' '0.5' }"}));
-  ASSERT_EQ(lit.warnings.size(), 1u);
-  EXPECT_EQ(lit.warnings[0].kind, "_lmscale is not known");
-}
-
 TEST(LightLevel, FacesThatIgnoreLightKeepTheirLeast) {
   formats::Bsp bsp =
       room_with({"{ 'classname' 'func_wall' 'model' '*1' '_lightignore' '1' '_minlight' '50' }"

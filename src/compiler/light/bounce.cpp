@@ -163,27 +163,32 @@ std::vector<math::Vec3> first_light(const BouncedWorld& bounced, const std::vect
   return sent;
 }
 
-void add_to_face(const NodeGrid& grid, const std::vector<math::Vec3>& gathered, FaceLight& io_light) {
-  const auto luxels = static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
+// `map` may be of another scale than the nodes' own.
+void add_to_map(const NodeGrid& grid, const LightMapShape& own, const LightMapShape& map,
+                const std::vector<math::Vec3>& gathered, FaceLight& io_light) {
   const std::uint32_t end = grid.first_node + static_cast<std::uint32_t>(grid.columns * grid.rows);
   if (std::all_of(gathered.begin() + grid.first_node, gathered.begin() + end,
                   [](const math::Vec3& light) { return light == math::Vec3(0.0f); }))
     return;
-  std::vector<math::Vec3>& samples = io_light.layer(0, LayerKind::kAdd, luxels).samples;
-  const auto along = [](int luxel, int nodes, int count) {
-    return count <= 1 ? 0.0f : static_cast<float>(luxel * (nodes - 1)) / static_cast<float>(count - 1);
+  std::vector<math::Vec3>& samples = io_light.layer(0, LayerKind::kAdd, map.size()).samples;
+  const auto along = [&](int luxel, std::size_t axis, int nodes, int count) {
+    if (count <= 1) return 0.0f;
+    const int texel = map.texture_mins[axis] + luxel * map.texels - own.texture_mins[axis];
+    const int last_texel = (count - 1) * own.texels;
+    return static_cast<float>(std::clamp(texel, 0, last_texel)) * static_cast<float>(nodes - 1) /
+           static_cast<float>(last_texel);
   };
-  for (int y = 0; y < grid.height; ++y) {
-    const float row = along(y, grid.rows, grid.height);
+  for (int y = 0; y < map.height; ++y) {
+    const float row = along(y, 1, grid.rows, own.height);
     const int top = static_cast<int>(row), bottom = std::min(top + 1, grid.rows - 1);
-    for (int x = 0; x < grid.width; ++x) {
-      const float column = along(x, grid.columns, grid.width);
+    for (int x = 0; x < map.width; ++x) {
+      const float column = along(x, 0, grid.columns, own.width);
       const int left = static_cast<int>(column), right = std::min(left + 1, grid.columns - 1);
       const math::Vec3 above = glm::mix(gathered[grid.node(left, top)], gathered[grid.node(right, top)],
                                         column - static_cast<float>(left));
       const math::Vec3 below = glm::mix(gathered[grid.node(left, bottom)], gathered[grid.node(right, bottom)],
                                         column - static_cast<float>(left));
-      samples[static_cast<std::size_t>(y * grid.width + x)] +=
+      samples[static_cast<std::size_t>(y * map.width + x)] +=
           glm::mix(above, below, row - static_cast<float>(top));
     }
   }
@@ -238,9 +243,10 @@ void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
     }
   }
   for (math::Vec3& light : gathered) light *= kFirstBounce / kReflectance * settings.scale;
-  io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
+  io_jobs.parallel_for(lit.maps.size(), [&](std::size_t map) {
+    const std::size_t face = lit.maps[map].face;
     if (bounced.grids[face].columns > 0 && lit.keys_of(face).takes_bounce)
-      add_to_face(bounced.grids[face], gathered, io_light[face]);
+      add_to_map(bounced.grids[face], lit.maps[face], lit.maps[map], gathered, io_light[map]);
   });
 }
 

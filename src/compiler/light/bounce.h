@@ -26,7 +26,7 @@ bool are_bounces_of(const LitLevel& lit, std::span<const std::uint32_t> seen);
 
 // Adds to style 0 of every face what it gets from the others after settings.count bounces of style 0. Other
 // styles do not bounce, nor do negative lights. Without a palette no face has a colour. `seen`:
-// trace_bounces' of this level. `io_light`: by face.
+// trace_bounces' of this level. `io_light`: by light map.
 void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
                        const BounceSettings& settings, const std::optional<formats::Palette>& palette,
                        base::Jobs& io_jobs, std::vector<FaceLight>& io_light);

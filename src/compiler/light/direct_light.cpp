@@ -90,7 +90,7 @@ math::Vec3 factor_of(const Share& share) {
 class FaceLighter {
  public:
   // `learned`: null when nothing is to be kept; outlives this.
-  FaceLighter(const DirectLightInput& input, LightGrid grid, SamplePlaces places, LightCache::Face* learned)
+  FaceLighter(const DirectLightInput& input, LightGrid grid, SamplePlaces places, LightCache::Map* learned)
       : input_(input),
         grid_(std::move(grid)),
         filter_(input.lit, input.scene, grid_, input.sampling, std::move(places)),
@@ -100,7 +100,7 @@ class FaceLighter {
         is_flat_(!input.phong.is_curved(grid_.face) || grid_.corners_world.size() < 3),
         is_in_sky_(lies_in_sky(*input.lit.level, filter_.luxel_places().leafs)),
         unshadowed_(places_.size()),
-        known_(learned != nullptr && input.known != nullptr ? input.known->face(grid_.face) : nullptr),
+        known_(learned != nullptr && input.known != nullptr ? input.known->map(grid_.map) : nullptr),
         learned_(learned),
         shadows_before_(known_ != nullptr ? base::Bytes(known_->shadows) : base::Bytes(), places_.size()),
         shadows_(places_.size()) {
@@ -258,8 +258,8 @@ class FaceLighter {
   std::vector<math::Vec3> normals_;
   std::vector<float> unshadowed_;  // by luxel, of the light at hand
   std::vector<std::uint32_t> lit_luxels_;
-  const LightCache::Face* known_;  // null: nothing is known
-  LightCache::Face* learned_;      // null: nothing is kept
+  const LightCache::Map* known_;  // null: nothing is known
+  LightCache::Map* learned_;      // null: nothing is kept
   ShadowReader shadows_before_;
   ShadowWriter shadows_;
   FaceLight light_;
@@ -305,9 +305,10 @@ bool are_all_hidden(const SamplePlaces& places) {
 
 }  // namespace
 
-FaceLight direct_light_of(const DirectLightInput& input, std::size_t face, LightCache::Face* out_learned) {
+FaceLight direct_light_of(const DirectLightInput& input, std::size_t map, LightCache::Map* out_learned) {
   const LitLevel& lit = input.lit;
-  LightGrid grid = make_light_grid(lit, face);
+  const std::size_t face = lit.maps[map].face;
+  LightGrid grid = make_light_grid(lit, map);
   SamplePlaces places = sample_places(lit, input.scene, grid, 1);
   const bool takes_light = !lit.keys_of(face).ignores_light;
   if (takes_light && lit.model_of_face[face] != 0 && are_all_hidden(places))

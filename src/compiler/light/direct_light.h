@@ -29,8 +29,8 @@ struct DirectLightInput {
   const KnownLight* known;  // null: every ray is asked
 };
 
-// For a face that gets light. Safe to call for several faces at once. `out_learned`: what a cache is to keep
-// of the face; null: nothing.
-FaceLight direct_light_of(const DirectLightInput& input, std::size_t face, LightCache::Face* out_learned);
+// On a light map (LitLevel::maps) of a face that gets light. Safe to call for several maps at once.
+// `out_learned`: what a cache is to keep of the face; null: nothing.
+FaceLight direct_light_of(const DirectLightInput& input, std::size_t map, LightCache::Map* out_learned);
 
 }  // namespace temblor::compiler

@@ -35,8 +35,8 @@ KnownLight::KnownLight(const LightCache& cache, const LightCache& asked, std::sp
   }
 }
 
-const LightCache::Face* KnownLight::face(std::size_t number) const {
-  return holds_ && number < cache_.faces.size() ? &cache_.faces[number] : nullptr;
+const LightCache::Map* KnownLight::map(std::size_t number) const {
+  return holds_ && number < cache_.maps.size() ? &cache_.maps[number] : nullptr;
 }
 
 std::span<const std::uint32_t> KnownLight::bounces() const {

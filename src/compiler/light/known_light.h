@@ -17,8 +17,8 @@ class KnownLight {
   // `asked`: a cache with the hashes of what is to be lit, otherwise empty. `cache`: outlives this.
   KnownLight(const LightCache& cache, const LightCache& asked, std::span<const LightSource> lights);
 
-  // Nothing is known of a face: null. Whether its dirt and sky hold is asked of these.
-  const LightCache::Face* face(std::size_t number) const;
+  // Of a light map; null: nothing is known. Whether its dirt and sky hold is asked of these.
+  const LightCache::Map* map(std::size_t number) const;
   bool holds_dirt() const { return holds_dirt_; }
   bool holds_sky() const { return holds_sky_; }
   std::span<const std::uint32_t> bounces() const;

@@ -4,7 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <span>
+#include <utility>
+
+#include "base/bytes.h"
 
 namespace temblor::compiler {
 namespace {
@@ -78,10 +83,6 @@ StyledSamples samples_of(const LightSettings& settings, const SurfaceKeys& keys,
   return result;
 }
 
-std::size_t luxels_of(const world::Face& face) {
-  return static_cast<std::size_t>(face.light_width()) * static_cast<std::size_t>(face.light_height());
-}
-
 struct FaceStyles {
   std::vector<StyledSamples> styles;  // of at most four styles, the lowest first
   std::size_t dropped = 0;            // those that found no room
@@ -108,35 +109,74 @@ FaceStyles styles_of(const LightSettings& settings, const SurfaceKeys& keys, con
   return {std::move(styles), dropped};
 }
 
+struct MapPlace {
+  std::array<std::uint8_t, 4> styles{255, 255, 255, 255};
+  std::int32_t offset = -1;
+};
+
+// Puts samples behind those that are there.
+MapPlace append(const FaceStyles& map, formats::Bsp& io_bsp, formats::Lit& io_lit) {
+  MapPlace place;
+  if (map.styles.empty()) return place;
+  place.offset = static_cast<std::int32_t>(io_bsp.lighting.size());
+  for (std::size_t i = 0; i < map.styles.size(); ++i) {
+    const StyledSamples& samples = map.styles[i];
+    place.styles[i] = samples.style;
+    io_bsp.lighting.insert(io_bsp.lighting.end(), samples.grey.begin(), samples.grey.end());
+    io_lit.samples.insert(io_lit.samples.end(), samples.rgb.begin(), samples.rgb.end());
+  }
+  return place;
+}
+
+constexpr std::array<const char*, 3> kScaledLumps{"LMSHIFT", "LMOFFSET", "LMSTYLE"};
+
+void append_scaled(const LitLevel& lit, const std::vector<FaceStyles>& by_map, formats::Bsp& io_bsp,
+                   formats::Lit& io_lit) {
+  std::vector<MapPlace> places;
+  std::vector<std::int32_t> texels;
+  for (std::size_t face = 0; face < io_bsp.faces.size(); ++face) {
+    places.push_back({io_bsp.faces[face].styles, io_bsp.faces[face].light_offset});
+    texels.push_back(lit.maps[face].texels);
+  }
+  for (std::size_t map = places.size(); map < lit.maps.size(); ++map) {
+    places[lit.maps[map].face] = append(by_map[map], io_bsp, io_lit);
+    texels[lit.maps[map].face] = lit.maps[map].texels;
+  }
+  base::ByteWriter shifts, offsets, styles;
+  for (std::size_t face = 0; face < places.size(); ++face) {
+    shifts.u8(static_cast<std::uint8_t>(std::countr_zero(static_cast<std::uint32_t>(texels[face]))));
+    offsets.i32(places[face].offset);
+    styles.bytes(std::as_bytes(std::span(places[face].styles)));
+  }
+  io_bsp.bspx.push_back({kScaledLumps[0], std::move(shifts).take()});
+  io_bsp.bspx.push_back({kScaledLumps[1], std::move(offsets).take()});
+  io_bsp.bspx.push_back({kScaledLumps[2], std::move(styles).take()});
+}
+
 }  // namespace
 
 PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
                             const std::vector<FaceLight>& light, base::Jobs& io_jobs, formats::Bsp& io_bsp,
                             Warnings& io_warnings) {
-  std::vector<FaceStyles> by_face(io_bsp.faces.size());
-  io_jobs.parallel_for(by_face.size(), [&](std::size_t face) {
+  std::vector<FaceStyles> by_map(lit.maps.size());
+  io_jobs.parallel_for(by_map.size(), [&](std::size_t map) {
+    const std::size_t face = lit.maps[map].face;
     if (lit.gets_light[face])
-      by_face[face] = styles_of(settings, lit.keys_of(face), light[face], luxels_of(lit.level->faces[face]));
+      by_map[map] = styles_of(settings, lit.keys_of(face), light[map], lit.maps[map].size());
   });
   PackedLight packed;
   io_bsp.lighting.clear();
   std::size_t dropped = 0;
   for (std::size_t number = 0; number < io_bsp.faces.size(); ++number) {
-    formats::BspFace& face = io_bsp.faces[number];
-    face.styles = {255, 255, 255, 255};
-    face.light_offset = -1;
-    if (!lit.gets_light[number]) continue;
-    const std::vector<StyledSamples>& styles = by_face[number].styles;
-    dropped += by_face[number].dropped;
-    ++(styles.empty() ? packed.dark_faces : packed.lit_faces);
-    if (styles.empty()) continue;
-    face.light_offset = static_cast<std::int32_t>(io_bsp.lighting.size());
-    for (std::size_t i = 0; i < styles.size(); ++i) {
-      face.styles[i] = styles[i].style;
-      io_bsp.lighting.insert(io_bsp.lighting.end(), styles[i].grey.begin(), styles[i].grey.end());
-      packed.lit.samples.insert(packed.lit.samples.end(), styles[i].rgb.begin(), styles[i].rgb.end());
-    }
+    const MapPlace place = append(by_map[number], io_bsp, packed.lit);
+    io_bsp.faces[number].styles = place.styles;
+    io_bsp.faces[number].light_offset = place.offset;
+    dropped += by_map[number].dropped;
+    if (lit.gets_light[number]) ++(place.offset < 0 ? packed.dark_faces : packed.lit_faces);
   }
+  for (const char* lump : kScaledLumps)
+    std::erase_if(io_bsp.bspx, [&](const formats::BspxLump& known) { return known.name == lump; });
+  if (lit.maps.size() > io_bsp.faces.size()) append_scaled(lit, by_map, io_bsp, packed.lit);
   for (std::size_t i = 0; i + 2 < packed.lit.samples.size() && !packed.coloured; i += 3)
     packed.coloured = packed.lit.samples[i] != packed.lit.samples[i + 1] ||
                       packed.lit.samples[i] != packed.lit.samples[i + 2];

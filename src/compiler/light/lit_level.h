@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "compiler/light/light_map_shape.h"
 #include "compiler/light/ray_scene.h"
 #include "compiler/surface_keys.h"
 #include "formats/bsp.h"
@@ -20,6 +21,7 @@ struct LitLevel {
   std::vector<std::uint32_t> model_of_face;  // 0: the world
   std::vector<math::Vec3> offset_of_model;   // its entity's origin
   std::vector<bool> gets_light;              // by face
+  std::vector<LightMapShape> maps;           // light_map_shapes of all this
 
   const SurfaceKeys& keys_of(std::size_t face) const { return keys.keys[keys.of_face[face]]; }
   const math::Vec3& offset_of(std::size_t face) const { return offset_of_model[model_of_face[face]]; }

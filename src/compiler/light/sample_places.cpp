@@ -95,15 +95,18 @@ void add_place(const LitLevel& lit, const RayScene& scene, const LightGrid& grid
 
 }  // namespace
 
-LightGrid make_light_grid(const LitLevel& lit, std::size_t number) {
+LightGrid make_light_grid(const LitLevel& lit, std::size_t map) {
   const world::Level& level = *lit.level;
+  const LightMapShape& shape = lit.maps[map];
+  const std::size_t number = shape.face;
   const world::Face& face = level.faces[number];
   const world::TextureAxes& axes = level.texture_axes[face.axes];
   const world::FacePlane plane = world::plane_of(level, face);
   LightGrid grid;
   grid.face = number;
-  grid.width = face.light_width();
-  grid.height = face.light_height();
+  grid.map = map;
+  grid.width = shape.width;
+  grid.height = shape.height;
   grid.normal = plane.normal;
   grid.corners_world = lit.corners_world(number);
   for (const math::Vec3d& corner : grid.corners_world)
@@ -116,12 +119,11 @@ LightGrid make_light_grid(const LitLevel& lit, std::size_t number) {
   // Columns of the inverse of the matrix with rows s, t, n: by how much a point moves for each of the three.
   const math::Vec3d by_s = glm::cross(t, n) / volume, by_t = glm::cross(n, s) / volume,
                     by_n = glm::cross(s, t) / volume;
-  constexpr double kTexels = 16;
-  grid.column_step = by_s * kTexels;
-  grid.row_step = by_t * kTexels;
+  grid.column_step = by_s * double(shape.texels);
+  grid.row_step = by_t * double(shape.texels);
   grid.origin_world = math::Vec3d(lit.offset_of(number)) +
-                      by_s * (double(face.texture_mins[0]) - double{axes.s_offset}) +
-                      by_t * (double(face.texture_mins[1]) - double{axes.t_offset}) + by_n * plane.distance;
+                      by_s * (double(shape.texture_mins[0]) - double{axes.s_offset}) +
+                      by_t * (double(shape.texture_mins[1]) - double{axes.t_offset}) + by_n * plane.distance;
   return grid;
 }
 

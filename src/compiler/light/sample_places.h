@@ -14,9 +14,9 @@
 
 namespace temblor::compiler {
 
-// The luxels of a face: column c, row r at origin_world + c * column_step + r * row_step, in its plane.
+// The luxels of a light map: column c, row r at origin_world + c * column_step + r * row_step, in its plane.
 struct LightGrid {
-  std::size_t face = 0;
+  std::size_t face = 0, map = 0;
   int width = 0, height = 0;
   math::Vec3d normal{0.0};
   math::Vec3d origin_world{0.0}, column_step{0.0}, row_step{0.0};
@@ -27,7 +27,7 @@ struct LightGrid {
 };
 
 // A face whose texture axes span no plane has all of its luxels in its middle.
-LightGrid make_light_grid(const LitLevel& lit, std::size_t face);
+LightGrid make_light_grid(const LitLevel& lit, std::size_t map);
 
 struct SamplePlaces {
   std::vector<math::Vec3> points;

@@ -1,4 +1,4 @@
-// Layout, little-endian: "TLSH", u32 version, u64 level, u32 index, u32 count; then for each face of the
+// Layout, little-endian: "TLSH", u32 version, u64 level, u32 index, u32 count; then for each light map of the
 // shard in order: u16 layers, u8 1 when there is dirt; the dirt, a float a luxel; for each layer u8 style, u8
 // kind and three floats a luxel. Floats are kept to the last bit, so that merged light is that of one
 // process.
@@ -16,14 +16,14 @@ void write_layer(const LightLayer& layer, base::ByteWriter& io_writer) {
     for (int channel = 0; channel < 3; ++channel) io_writer.f32(sample[channel]);
 }
 
-base::Result<FaceLight> read_face(base::ByteReader& io_reader, std::size_t luxels) {
+base::Result<FaceLight> read_map(base::ByteReader& io_reader, std::size_t luxels) {
   FaceLight light;
   const std::size_t layers = io_reader.u16();
   const bool has_dirt = io_reader.u8() != 0;
   constexpr std::size_t kSampleBytes = 3 * sizeof(float);
   if (has_dirt) {
     if (luxels * sizeof(float) > io_reader.remaining())
-      return base::malformed("light shard: ends within a face at {}", io_reader.offset());
+      return base::malformed("light shard: ends within a light map at {}", io_reader.offset());
     for (std::size_t i = 0; i < luxels; ++i) light.dirt.push_back(io_reader.f32());
   }
   for (std::size_t i = 0; i < layers; ++i) {
@@ -53,16 +53,16 @@ base::ByteVector write_shard(const ShardHeader& header, const std::vector<FaceLi
   writer.write(header.level);
   writer.u32(header.index);
   writer.u32(header.count);
-  for (std::size_t face = header.index; face < light.size(); face += header.count) {
-    writer.write(static_cast<std::uint16_t>(light[face].layers.size()));
-    writer.u8(light[face].dirt.empty() ? 0 : 1);
-    for (const float share : light[face].dirt) writer.f32(share);
-    for (const LightLayer& layer : light[face].layers) write_layer(layer, writer);
+  for (std::size_t map = header.index; map < light.size(); map += header.count) {
+    writer.write(static_cast<std::uint16_t>(light[map].layers.size()));
+    writer.u8(light[map].dirt.empty() ? 0 : 1);
+    for (const float share : light[map].dirt) writer.f32(share);
+    for (const LightLayer& layer : light[map].layers) write_layer(layer, writer);
   }
   return std::move(writer).take();
 }
 
-base::Result<Shard> read_shard(base::Bytes bytes, const std::vector<std::size_t>& luxels_of_face) {
+base::Result<Shard> read_shard(base::Bytes bytes, const std::vector<std::size_t>& luxels_of_map) {
   base::ByteReader reader(bytes);
   const std::uint32_t magic = reader.u32(), version = reader.u32();
   Shard shard;
@@ -74,12 +74,13 @@ base::Result<Shard> read_shard(base::Bytes bytes, const std::vector<std::size_t>
     return base::error(base::ErrorCode::kUnsupported, "light shard of version {}, not {}", version, kVersion);
   if (shard.header.count == 0 || shard.header.index >= shard.header.count)
     return base::malformed("light shard {} of {}", shard.header.index, shard.header.count);
-  for (std::size_t face = shard.header.index; face < luxels_of_face.size(); face += shard.header.count) {
-    TRY(FaceLight light, read_face(reader, luxels_of_face[face]));
-    shard.faces.emplace_back(static_cast<std::uint32_t>(face), std::move(light));
+  for (std::size_t map = shard.header.index; map < luxels_of_map.size(); map += shard.header.count) {
+    TRY(FaceLight light, read_map(reader, luxels_of_map[map]));
+    shard.maps.emplace_back(static_cast<std::uint32_t>(map), std::move(light));
   }
   if (!reader.ok() || reader.remaining() > 0)
-    return base::malformed("light shard: its faces end at {} of {} bytes", reader.offset(), bytes.size());
+    return base::malformed("light shard: its light maps end at {} of {} bytes", reader.offset(),
+                           bytes.size());
   return shard;
 }
 

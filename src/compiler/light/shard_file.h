@@ -1,4 +1,4 @@
-// The light of some of a level's faces, saved by one of several processes that share the work.
+// The light of some of a level's light maps, saved by one of several processes that share the work.
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,15 @@ struct ShardHeader {
   bool operator==(const ShardHeader&) const = default;
 };
 
-// Faces index, index + count, ... of `light`, which is by face.
+// Light maps index, index + count, ... of `light`, which is by map (LitLevel::maps).
 base::ByteVector write_shard(const ShardHeader& header, const std::vector<FaceLight>& light);
 
 struct Shard {
   ShardHeader header;
-  std::vector<std::pair<std::uint32_t, FaceLight>> faces;
+  std::vector<std::pair<std::uint32_t, FaceLight>> maps;
 };
 
-// Every face's layers have as many samples as `luxels_of_face` says. Errors name the offset.
-base::Result<Shard> read_shard(base::Bytes bytes, const std::vector<std::size_t>& luxels_of_face);
+// Every map's layers have as many samples as `luxels_of_map` says. Errors name the offset.
+base::Result<Shard> read_shard(base::Bytes bytes, const std::vector<std::size_t>& luxels_of_map);
 
 }  // namespace temblor::compiler
