@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <thread>
 
 #include "app/child_process.h"
@@ -12,6 +14,7 @@
 #include "artgen/palette.h"
 #include "formats/bsp.h"
 #include "formats/png.h"
+#include "support/effort.h"
 #include "support/game_data.h"
 #include "support/room_map.h"
 #include "support/temporary_folder.h"
@@ -203,6 +206,52 @@ TEST_F(CompileProgram, WatchCompilesWhatIsSaved) {
   std::this_thread::sleep_for(std::chrono::milliseconds(400));
   folder_.write("room.map", lit_room() + point_text("monster_ogre", {50, 0, 30}));
   EXPECT_TRUE(wait_for([&] { return has("monster_ogre"); }));
+}
+
+// Rows of pillars, each a little out of line: slow to work out what is seen between them.
+std::string hall_of_pillars(int side) {
+  const double width = side * 64;
+  std::string brushes = walls_text({0, 0, 0}, {width, width, 128}, "wall");
+  std::mt19937 random(1);
+  const auto shift = [&] { return static_cast<double>(random() % 16); };
+  for (int i = 0; i < side * side; ++i) {
+    const math::Vec3d at(i % side * 64 + 16 + shift(), i / side * 64 + 16 + shift(), 0);
+    brushes += box_text(at, at + math::Vec3d(16, 16, 128), "pillar");
+  }
+  return entity_text("worldspawn", "", brushes) + point_text("info_player_start", {8, 8, 40});
+}
+
+TEST_F(CompileProgram, StoppedVisibilityGoesOn) {
+  folder_.write("hall.map", hall_of_pillars(effort(14, 10)));
+  const std::string map = (folder_.path() / "hall.map").string();
+  const auto exists = [&](const char* name) { return std::filesystem::exists(folder_.path() / name); };
+  // Stopped before visibility begins nothing is saved: then later.
+  for (int wait_ms = 100; wait_ms < 10'000 && !exists("hall.build"); wait_ms += wait_ms / 2) {
+    auto program =
+        app::ChildProcess::start({TEMBLOR_PROGRAM, "compile", map, "--no-light", "--threads", "1"});
+    ASSERT_TRUE(program.ok()) << program.error().message();
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
+  }
+  ASSERT_TRUE(exists("hall.build"));
+  ASSERT_FALSE(exists("hall.bsp")) << "it was finished before it could be stopped";
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "hall.map", "--no-light"}).exit_status, 0);
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "hall.map", "--no-light", "--clean", "-o", "whole.bsp"})
+                .exit_status,
+            0);
+  EXPECT_EQ(read_text(folder_.path() / "hall.bsp"), read_text(folder_.path() / "whole.bsp"));
+}
+
+// The script in docs/, with processes in place of machines.
+TEST_F(CompileProgram, ScriptForGnuParallelMakesTheSameLevel) {
+  if (std::system("command -v parallel >/dev/null") != 0) GTEST_SKIP() << "GNU parallel is not installed";
+  folder_.write("room.map", lit_room());
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "whole.bsp"}).exit_status, 0);
+  const std::string command =
+      fmt::format("cd '{}' && TEMBLOR='{}' '{}/docs/compile_with_parallel.sh' 2 room.map >log 2>&1",
+                  folder_.path().string(), TEMBLOR_PROGRAM, TEMBLOR_SOURCE_DIR);
+  ASSERT_EQ(std::system(command.c_str()), 0) << read_text(folder_.path() / "log");
+  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), read_text(folder_.path() / "whole.bsp"));
+  EXPECT_EQ(read_text(folder_.path() / "room.lit"), read_text(folder_.path() / "whole.lit"));
 }
 
 TEST_F(CompileProgram, WhatIsWrongIsOneLine) {

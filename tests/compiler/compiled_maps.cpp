@@ -16,6 +16,7 @@ class NobodyWatches : public compiler::CompileWatcher {
  public:
   void begin_stage(const char*) override {}
   bool progress(std::size_t, std::size_t) override { return true; }
+  void save(base::Bytes) override {}
 };
 
 }  // namespace
@@ -52,10 +53,11 @@ CompiledMap compile_stock_map(const fs::path& base_folder, const std::string& na
   base::Jobs jobs(threads);
   NobodyWatches watcher;
   compiler::Warnings warnings;
-  compiler::CompiledLevel level =
-      compiler::compile_level(map, textures.sources, textures.palette, options, jobs, watcher, warnings)
-          .value();
-  return {std::move(level), std::move(warnings)};
+  compiler::Build level;
+  compiler::CompileReport report = compiler::compile_level(map, textures.sources, textures.palette, options,
+                                                           jobs, watcher, level, warnings)
+                                       .value();
+  return {std::move(level), std::move(report.leak), std::move(warnings)};
 }
 
 }  // namespace temblor::test

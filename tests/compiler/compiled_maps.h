@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct StockTextures {
 StockTextures stock_textures(const std::filesystem::path& base_folder, const formats::Map& map);
 
 struct CompiledMap {
-  compiler::CompiledLevel level;
+  compiler::Build level;
+  std::optional<compiler::LeakWay> leak;
   compiler::Warnings warnings;
 };
 // CHECKs that it compiles.

@@ -218,11 +218,10 @@ TEST_P(SideBySide, ShowsWhatTheFinishedLevelShows) {
   compiler::CompileOptions options;
   options.light = light_options_of(stock_map(data, name));
   CompiledMap compiled = compile_stock_map(data, name, options);
-  EXPECT_TRUE(compiled.warnings.empty());
-  const bool is_box = name.starts_with("b_");
-  EXPECT_TRUE(is_box || !compiled.level.leak) << "the finished level has none";
   Painter ours(std::move(compiled.level.bsp), "compiled");
   Painter theirs(compiler::finished_level(data, name), "finished");
+  const bool is_box = name.starts_with("b_");  // with nothing around it, and nowhere to start
+  EXPECT_TRUE(is_box || (compiled.warnings.empty() && !compiled.leak));
 
   Random random(41);
   Totals totals;
