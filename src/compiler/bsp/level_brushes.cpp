@@ -60,10 +60,8 @@ class Sorter {
       if (number == 0)
         add_fields(entity.fields, {});
       else if (entity.fields.classname() == "worldspawn")
-        warnings_.push_back(
-            {"a second worldspawn", fmt::format("entity {}, line {}: its brushes are taken, its "
-                                                "keys are not",
-                                                number, entity.line)});
+        warnings_.push_back({"a second worldspawn, of which only brushes are taken",
+                             fmt::format("entity {}, line {}", number, entity.line)});
     } else if (entity.brushes.empty()) {
       add_point_entity(number);
     } else {
