@@ -23,7 +23,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 std::string docs_section() {
-  const std::string text = read_text(std::filesystem::path(TEMBLOR_SOURCE_DIR) / "docs/mapping.md");
+  const std::string text = read_text(std::filesystem::path(TEMBLOR_DOCS) / "mapping.md");
   const std::size_t begin = text.find("## From an empty editor"), end = text.find("\n## ", begin);
   return text.substr(begin, end - begin);
 }

@@ -153,12 +153,6 @@ TestMap make_test_map() {
   return map;
 }
 
-class Unwatched : public compiler::CompileWatcher {
- public:
-  void begin_stage(const char*) override {}
-  bool progress(std::size_t, std::size_t) override { return true; }
-};
-
 std::string text_of(const TestMap& map) {
   std::string brushes, detail;
   for (const Solid& solid : map.world) brushes += brush_text(solid);
@@ -176,12 +170,13 @@ std::shared_ptr<const world::Level> compile(const TestMap& map, int extra) {
   base::Jobs jobs(2, base::JobBackend::kStdThread);
   compiler::CompileOptions options;
   options.light.extra = extra;
-  Unwatched watcher;
+  compiler::CompileWatcher nobody;
   compiler::Warnings warnings;
-  auto compiled =
-      compiler::compile_level(map_of(text_of(map)), {}, formats::Palette{}, options, jobs, watcher, warnings);
+  compiler::Build build;
+  const auto compiled = compiler::compile_level(map_of(text_of(map)), {}, formats::Palette{}, options, jobs,
+                                                nobody, build, warnings);
   EXPECT_FALSE(compiled->leak);
-  return world::make_level(std::move(compiled->bsp), "corners").value();
+  return world::make_level(std::move(build.bsp), "corners").value();
 }
 
 // The light that the game shows at a point of a face: between luxels it goes from one to the next linearly.
