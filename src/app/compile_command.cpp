@@ -12,6 +12,9 @@
 #include "app/compile_summary.h"
 #include "app/diagnostics.h"
 #include "app/file_watch.h"
+#include "app/game_files.h"
+#include "app/texture_files.h"
+#include "app/written_file.h"
 
 namespace temblor::app {
 namespace {
@@ -21,6 +24,7 @@ constexpr const char* kHelpFooter = R"(Examples:
   temblor compile castle.map --wad wads --fast --watch
   temblor compile castle.map --textures art --extra 4
   temblor compile castle.bsp --only light
+  temblor compile --textures art -o art.wad
 
 Textures are looked for in --wad, then in what the map's "wad" key names. Without game data the palette is that of
 Temblor's own game. Beside the level lies a .build file, with which the next run makes anew only what changed.)";
@@ -45,7 +49,14 @@ base::Error usage(const char* what) {
   return base::error(base::ErrorCode::kUsage, "{}", what);
 }
 
+bool makes_wad(const CompileCommandOptions& options) {
+  return options.source.empty() && !options.textures.empty() &&
+         std::filesystem::path(options.out).extension() == ".wad";
+}
+
 base::Status check(const CompileCommandOptions& options) {
+  if (options.source.empty() && !makes_wad(options))
+    return usage("map is required; or --textures DIR -o NAME.wad, to make a WAD alone");
   const bool shared = options.shard || options.merge;
   const bool from_level = std::filesystem::path(options.source).extension() == ".bsp";
   if (shared && (!options.only || *options.only == CompileStage::kBsp))
@@ -64,6 +75,12 @@ base::Status write(CompileSession& io_session, const compiler::CompileReport& re
   TRY_STATUS(write_level(io_session.build(), report.leak, io_session.paths(), keep));
   if (report.leak) print_leak(*report.leak, io_session.paths());
   return base::Ok{};
+}
+
+base::Status write_wad(const CompileCommandOptions& options, const GameFolders& folders) {
+  TRY(const assets::Look look, find_look(folders));
+  TRY(const base::ByteVector wad, wad_of_pictures(options.textures, look.palette));
+  return replace_file(options.out, wad);
 }
 
 // Until it is interrupted. What goes wrong is told, and the next version of the map tried.
@@ -92,8 +109,7 @@ CLI::App* add_compile_command(CLI::App& program, CompileCommandOptions& io_optio
   CLI::App* command = program.add_subcommand("compile", "Makes a level of an editor's .map");
   command
       ->add_option("map", io_options.source, "A .map file; or a .bsp, which gets visibility and light anew")
-      ->type_name("MAP")
-      ->required();
+      ->type_name("MAP");
   command->add_option("-o,--output", io_options.out, "The level; else beside the map, .bsp")
       ->type_name("OUT");
   add_stage_options(*command, io_options);
@@ -129,6 +145,7 @@ CLI::App* add_compile_command(CLI::App& program, CompileCommandOptions& io_optio
 
 base::Status run_compile(const CompileCommandOptions& options, const GameFolders& folders) {
   TRY_STATUS(check(options));
+  if (makes_wad(options)) return write_wad(options, folders);
   TRY(const std::unique_ptr<CompileSession> session, CompileSession::begin(options, folders));
   if (options.watch) run_and_watch(options, *session);
   if (options.shard) return run_shard(*options.only, *options.shard, *session);

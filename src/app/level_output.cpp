@@ -62,6 +62,8 @@ base::Status write_level(const compiler::Build& build, const std::optional<compi
   TRY(const base::ByteVector bsp,
       formats::write_bsp(build.bsp, build.bsp.version).with_file(paths.bsp.string()));
   TRY_STATUS(replace_file(paths.bsp, bsp));
+  std::error_code ignored;
+  if (fs::is_other(paths.bsp, ignored)) return base::Ok{};  // beside a device lie other devices
   std::optional<base::ByteVector> lit, points, picture, beside;
   if (build.lit) lit = formats::write_lit(*build.lit);
   TRY_STATUS(replace_or_remove(paths.lit, lit));

@@ -18,23 +18,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The PNG files of a folder, in order of their names, as a WAD.
-base::Result<base::ByteVector> wad_of_pictures(const fs::path& folder, const formats::Palette& palette,
-                                               std::vector<fs::path>& out_paths) {
+// The PNG files of a folder, in the order of their names.
+base::Result<std::vector<fs::path>> find_pictures(const fs::path& folder) {
   std::error_code failure;
   std::vector<fs::path> paths;
   for (fs::directory_iterator it(folder, failure), end; !failure && it != end; it.increment(failure))
     if (base::to_lower(it->path().extension().string()) == ".png") paths.push_back(it->path());
   if (failure) return base::Error{base::ErrorCode::kNotFound, "--textures: no such folder", folder.string()};
   std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+base::Result<base::ByteVector> wad_of(const std::vector<fs::path>& pictures,
+                                      const formats::Palette& palette) {
   std::vector<base::ByteVector> bytes;
-  for (const fs::path& path : paths) {
+  for (const fs::path& path : pictures) {
     TRY(base::ByteVector png, vfs::read_disk_file(path));
     bytes.push_back(std::move(png));
   }
   std::vector<compiler::PngFile> files;
-  for (std::size_t i = 0; i < paths.size(); ++i) files.push_back({paths[i].string(), bytes[i]});
-  out_paths = std::move(paths);
+  for (std::size_t i = 0; i < pictures.size(); ++i) files.push_back({pictures[i].string(), bytes[i]});
   return compiler::make_wad(files, palette);
 }
 
@@ -57,12 +60,20 @@ void TextureFiles::add(std::string name, base::ByteVector file) {
   sources.push_back({std::move(name), *bytes.back()});
 }
 
+base::Result<base::ByteVector> wad_of_pictures(const fs::path& folder, const formats::Palette& palette) {
+  TRY(const std::vector<fs::path> pictures, find_pictures(folder));
+  if (pictures.empty())
+    return base::Error{base::ErrorCode::kNotFound, "--textures: no .png file in it", folder.string()};
+  return wad_of(pictures, palette);
+}
+
 base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::path& map_path,
                                          const formats::Map& map, const formats::Palette& palette,
                                          compiler::Warnings& io_warnings) {
   TextureFiles files;
   if (!places.pictures.empty()) {
-    TRY(base::ByteVector wad, wad_of_pictures(places.pictures, palette, files.paths));
+    TRY(files.paths, find_pictures(places.pictures));
+    TRY(base::ByteVector wad, wad_of(files.paths, palette));
     files.add(places.pictures, std::move(wad));
   }
   std::vector<fs::path> folders;

@@ -29,6 +29,10 @@ struct TexturePlaces {
   std::vector<std::string> wads;  // WADs, levels, and folders in which the map's WADs may lie
 };
 
+// A WAD of the PNG files of a folder.
+base::Result<base::ByteVector> wad_of_pictures(const std::filesystem::path& folder,
+                                               const formats::Palette& palette);
+
 // In the order in which textures are looked for: pictures, `wads`, what the map's "wad" key names; with the
 // project's own palette, last, the textures of the level made in code (artgen/small_level.h). What the map
 // names and nobody has is a warning; what the command line names must be there.

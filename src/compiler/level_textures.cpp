@@ -5,6 +5,8 @@
 #include <string>
 
 #include "base/text.h"
+#include "compiler/bsp/brush_class.h"
+#include "compiler/bsp/region.h"
 
 namespace temblor::compiler {
 namespace {
@@ -19,9 +21,12 @@ std::string sequence_of(std::string_view name) {
 std::vector<std::string_view> texture_names(const formats::Map& map) {
   std::vector<std::string_view> names;
   for (const formats::MapEntity& entity : map.entities)
-    for (const formats::MapBrush& brush : entity.brushes)
+    for (const formats::MapBrush& brush : entity.brushes) {
+      if (is_region_brush(brush)) continue;
       for (const formats::MapSide& side : brush.sides)
-        if (names.empty() || names.back() != side.texture) names.push_back(side.texture);
+        if (is_drawn(side.texture) && (names.empty() || names.back() != side.texture))
+          names.push_back(side.texture);
+    }
   return names;
 }
 

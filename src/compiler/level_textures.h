@@ -11,6 +11,7 @@
 
 namespace temblor::compiler {
 
+// Of the sides that are drawn.
 std::vector<std::string_view> texture_names(const formats::Map& map);
 
 // In texels; 64 x 64 for what the set has not.

@@ -89,12 +89,14 @@ TEST_F(CompileBadInput, FullDiskAndBadPlacesLeaveNothingBehind) {
   if (!fs::is_character_file("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   expect_error({"compile", "room.map", "-o", "/dev/full"}, {"/dev/full", "No space left", "-o"});
   EXPECT_TRUE(fs::is_character_file("/dev/full")) << "and not a level";
+  EXPECT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "/dev/null"}).exit_status, 0);
+  EXPECT_FALSE(fs::exists("/dev/null.build"));
   expect_error({"compile", "room.map", "-o", "taken.bsp"}, {"taken.bsp", "-o"});
   EXPECT_EQ(read_text(folder_.path() / "room.bsp"), before);
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_.path()))
     names.push_back(entry.path().filename().string());
-  EXPECT_THAT(names, ::testing::UnorderedElementsAre("room.map", "room.bsp", "taken.bsp"));
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre("room.map", "room.bsp", "room.build", "taken.bsp"));
 }
 
 }  // namespace

@@ -266,6 +266,8 @@ TEST_F(CompileProgram, WhatIsWrongIsOneLine) {
   };
   const std::vector<Case> cases = {
       {{"compile"}, 2, {"map"}},
+      {{"compile", "--textures", "."}, 2, {"map", ".wad"}},
+      {{"compile", "--textures", ".", "-o", "art.wad"}, 1, {"--textures", ".png"}},
       {{"compile", "none.map"}, 1, {"none.map"}},
       {{"compile", "broken.map"}, 1, {"broken.map", "line 4"}},
       {{"compile", "empty.map"}, 1, {"empty.map", "worldspawn"}},
@@ -309,6 +311,12 @@ TEST_F(CompileProgram, PicturesOfAFolderAreTextures) {
   EXPECT_EQ(bsp.miptexes[0].name, "wall");
   EXPECT_EQ(bsp.miptexes[0].width, 32u);
   EXPECT_EQ(bsp.miptexes[0].mips[0], grey);
+  // The same as a WAD, for editors.
+  const ProgramRun wad = run_program(folder_.path(), {"compile", "--textures", "art", "-o", "art.wad"});
+  ASSERT_EQ(wad.exit_status, 0) << wad.err;
+  ASSERT_EQ(
+      run_program(folder_.path(), {"compile", "room.map", "--wad", "art.wad", "-o", "b.bsp"}).exit_status, 0);
+  EXPECT_EQ(read_level("b.bsp").miptexes, bsp.miptexes);
   const ProgramRun without = run_program(folder_.path(), {"compile", "room.map", "--textures", "nowhere"});
   EXPECT_EQ(without.exit_status, 1);
   EXPECT_TRUE(is_one_error_line(without.err)) << without.err;

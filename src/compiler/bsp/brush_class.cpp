@@ -87,6 +87,8 @@ bool is_drawn(std::string_view texture) {
 }
 
 Fill fill_of(Special special, const BrushClass& of_class) {
+  // Games ask the world alone what a place is filled with; a door that looks like water is a door.
+  if (!of_class.is_world && special != Special::kHint) return of_class.solid;
   switch (special) {
     case Special::kWater:
       return Fill::kWater;
