@@ -12,6 +12,9 @@
 
 namespace temblor::compiler {
 
+// On what a brush entity's shadow falls.
+enum class ShadowReceivers : std::uint8_t { kAll, kOwnModel, kWorld };
+
 // What brushes (worldspawn, func_group, func_detail and brush entities alike) ask of the light on their
 // faces, which a .bsp has no room for. The keys are named as in the .map: _phong, _phong_angle, ...
 struct SurfaceKeys {
@@ -20,7 +23,10 @@ struct SurfaceKeys {
   std::int32_t phong_group = 0;
   float min_light = 0;
   std::array<float, 3> min_light_colour{1, 1, 1};
-  bool casts_shadow = true;  // func_detail_illusionary and the like do not
+  bool casts_shadow = true;                                  // func_detail_illusionary and the like do not
+  ShadowReceivers shadow_receivers = ShadowReceivers::kAll;  // _shadowself, _shadowworldonly
+  std::int8_t auto_min_light =
+      0;  // _autominlight: faces that are hidden whole; 1: all hidden luxels; -1: none
   bool takes_dirt = true;
   bool takes_bounce = true;
   bool ignores_light = false;  // _lightignore

@@ -57,6 +57,19 @@ TEST(SurfaceKeys, TheWorldCastsShadowsAndDoorsOnlyWhenAsked) {
   }
 }
 
+TEST(SurfaceKeys, ShadowsMayFallOnSomethingOnly) {
+  const auto receivers = [](std::vector<std::pair<std::string, std::string>> pairs) {
+    pairs.insert(pairs.begin(), {"classname", "func_wall"});
+    const compiler::SurfaceKeys keys = compiler::surface_keys_of(entity(std::move(pairs)));
+    return std::pair(keys.casts_shadow, keys.shadow_receivers);
+  };
+  using compiler::ShadowReceivers;
+  EXPECT_EQ(receivers({{"_shadowself", "1"}}), std::pair(true, ShadowReceivers::kOwnModel));
+  EXPECT_EQ(receivers({{"_shadowworldonly", "1"}}), std::pair(true, ShadowReceivers::kWorld));
+  EXPECT_EQ(receivers({{"_shadow", "1"}, {"_shadowself", "1"}}), std::pair(true, ShadowReceivers::kAll));
+  EXPECT_EQ(receivers({{"_shadowself", "-1"}}), std::pair(false, ShadowReceivers::kAll));
+}
+
 TEST(SurfaceKeys, FacesOfAModelHaveItsEntitysKeys) {
   formats::Bsp bsp = make_cube_room();
   bsp.models[0].face_count = 4;

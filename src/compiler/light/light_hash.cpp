@@ -27,7 +27,9 @@ std::uint64_t with_keys(std::uint64_t hash, const SurfaceKeys& keys) {
        {keys.phong_angle_deg, keys.phong_angle_concave_deg, keys.min_light, keys.min_light_colour[0],
         keys.min_light_colour[1], keys.min_light_colour[2], keys.light_map_scale, keys.light_alpha})
     hash = base::hash_with(hash, base::bits_of(number));
-  hash = base::hash_with(hash, static_cast<std::uint32_t>(keys.phong_group));
+  for (const std::int32_t number : {keys.phong_group, static_cast<std::int32_t>(keys.shadow_receivers),
+                                    static_cast<std::int32_t>(keys.auto_min_light)})
+    hash = base::hash_with(hash, static_cast<std::uint32_t>(number));
   for (const bool flag : {keys.casts_shadow, keys.takes_dirt, keys.takes_bounce, keys.ignores_light})
     hash = base::hash_with(hash, flag ? 1 : 0);
   return hash;
@@ -53,6 +55,7 @@ std::uint64_t hash_of_geometry(formats::Bsp unlit, const LitLevel& lit, const Li
   unlit.entities.clear();
   std::uint64_t hash = hash_of_level(unlit, lit.keys);
   if (hash == 0) return 0;
+  if (options.palette) hash = with_bytes(hash, formats::write_palette(*options.palette));
   for (const math::Vec3& offset : lit.offset_of_model) hash = with_vector(hash, offset);
   return std::max<std::uint64_t>(1, base::hash_with(hash, static_cast<std::uint32_t>(options.extra)));
 }
