@@ -16,8 +16,9 @@ test:
 bench:
 	tools/setup.sh build
 	cmake --preset release
-	cmake --build --preset release --target temblor kernel_bench
+	cmake --build --preset release --target temblor kernel_bench compile_bench
 	build/release/temblor $(WITH_DATA) bench --report $(BENCHED)
+	$(if $(TEMBLOR_DATA),build/release/bench/compile_bench build/release/temblor)
 	build/release/bench/kernel_bench
 
 format:

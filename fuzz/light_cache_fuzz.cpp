@@ -9,7 +9,7 @@
 
 #include "base/bytes.h"
 #include "base/check.h"
-#include "compiler/light/light_hash.h"
+#include "base/hash.h"
 #include "compiler/light/shadow_record.h"
 #include "compiler/light_cache.h"
 
@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   expect_stable(bytes);
   base::ByteWriter writer;
   writer.bytes(bytes);
-  writer.write(compiler::hash_of_bytes(bytes));
+  writer.write(base::hash_of_bytes(bytes));
   expect_stable(writer.view());
   return 0;
 }

@@ -2,178 +2,101 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
-#include <algorithm>
-#include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
-#include <thread>
+#include <vector>
 
 #include "app/command_line.h"
+#include "app/compile_session.h"
+#include "app/compile_shards.h"
+#include "app/compile_summary.h"
 #include "app/diagnostics.h"
-#include "app/game_files.h"
-#include "app/progress.h"
-#include "app/texture_files.h"
-#include "app/written_file.h"
-#include "artgen/palette.h"
-#include "assets/assets.h"
-#include "compiler/compile_level.h"
-#include "compiler/prefabs.h"
-#include "formats/lit.h"
-#include "vfs/disk.h"
+#include "app/file_watch.h"
 
 namespace temblor::app {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* kHelpFooter = R"(Examples:
   temblor --basedir quake compile maps/castle.map -o quake/id1/maps/castle.bsp
-  temblor compile castle.map --fast
-  temblor compile castle.map --wad textures/stone.wad --extra 4
+  temblor compile castle.map --wad wads --fast --watch
+  temblor compile castle.map --textures art --extra 4
+  temblor compile castle.bsp --only light
 
 Textures are looked for in --wad, then in what the map's "wad" key names. Without game data the palette is that of
-Temblor's own game.)";
+Temblor's own game. Beside the level lies a .build file, with which the next run makes anew only what changed.)";
 
-base::Result<formats::Palette> find_palette(const GameFolders& folders) {
-  std::error_code ignored;
-  if (folders.base_folder.empty() && !fs::is_directory("id1", ignored)) return artgen::make_palette();
-  TRY(const vfs::FileSystem files, open_files(folders));
-  TRY(const assets::Look look, assets::load_look(files));
-  return look.palette;
+// Which stages run, when, and in which process.
+void add_stage_options(CLI::App& command, CompileCommandOptions& io_options) {
+  add_parsed_option(command, "--only", io_options.only, parse_compile_stage,
+                    "One stage: bsp, vis or light; of the others stays what still fits")
+      ->type_name("STAGE");
+  CLI::Option* const watch = command.add_flag("--watch", io_options.watch,
+                                              "Compiles again whenever the map or a texture file is saved");
+  CLI::Option* const shard = add_parsed_option(command, "--shard", io_options.shard, parse_shard,
+                                               "With --only vis or light: does part K of N, for --merge");
+  shard->type_name("K/N")->excludes(watch);
+  command.add_flag("--merge", io_options.merge, "With --only vis or light: joins what the shards made")
+      ->excludes(watch)
+      ->excludes(shard);
+  command.add_flag("--clean", io_options.clean, "Makes everything anew, and leaves no .build file");
 }
 
-// A progress line for each stage that takes long.
-class TerminalWatcher : public compiler::CompileWatcher {
- public:
-  void begin_stage(const char* name) override {
-    progress_.reset();
-    progress_ = std::make_unique<Progress>(name);
-  }
-  bool progress(std::size_t done, std::size_t total) override {
-    progress_->update(done, total);
-    return true;
-  }
-  void finish() { progress_.reset(); }
-
- private:
-  std::unique_ptr<Progress> progress_;
-};
-
-// As editors show it: a point a line.
-base::ByteVector points_of(const compiler::LeakWay& leak) {
-  std::string text;
-  for (const math::Vec3d& point : leak.points_world)
-    text += fmt::format("{:.2f} {:.2f} {:.2f}\n", point.x, point.y, point.z);
-  const base::Bytes bytes = base::as_bytes(text);
-  return {bytes.begin(), bytes.end()};
+base::Error usage(const char* what) {
+  return base::error(base::ErrorCode::kUsage, "{}", what);
 }
 
-void print_warnings(const compiler::Warnings& warnings) {
-  std::map<std::string, std::vector<const compiler::Warning*>> by_kind;
-  for (const compiler::Warning& warning : warnings) by_kind[warning.kind].push_back(&warning);
-  constexpr std::size_t kMostShown = 3;
-  for (const auto& [kind, group] : by_kind) {
-    std::string line = fmt::format("{} ({})", kind, group.size());
-    for (std::size_t i = 0; i < std::min(group.size(), kMostShown); ++i)
-      line += fmt::format("{} {}", i == 0 ? ":" : ";", group[i]->what);
-    if (group.size() > kMostShown) line += "; ...";
-    print_note(line);
-  }
-}
-
-void print_summary(const compiler::CompiledLevel& level, const fs::path& out, std::size_t bytes,
-                   formats::BspVersion version) {
-  struct Count {
-    const char* what;
-    std::size_t count, classic;
-  };
-  const formats::Bsp& bsp = level.bsp;
-  fmt::print("{}: {} bytes, version {}\n", out.string(), bytes, formats::name_of(version));
-  // Beside the limits of the original engine.
-  for (const Count& c :
-       {Count{"models", bsp.models.size(), 256}, Count{"planes", bsp.planes.size(), 32767},
-        Count{"vertices", bsp.vertices.size(), 65535}, Count{"nodes", bsp.nodes.size(), 32767},
-        Count{"leafs", bsp.leafs.size(), 8192}, Count{"clipnodes", bsp.clipnodes.size(), 32767},
-        Count{"faces", bsp.faces.size(), 65535}, Count{"marksurfaces", bsp.marksurfaces.size(), 65535},
-        Count{"edges", bsp.edges.size(), 256000}, Count{"textures", bsp.miptexes.size(), 512},
-        Count{"light bytes", bsp.lighting.size(), 1048576},
-        Count{"visibility bytes", bsp.visibility.size(), 1048576}})
-    fmt::print("  {:<18} {:>8} of {}{}\n", c.what, c.count, c.classic,
-               c.count > c.classic ? "  over the original's limit" : "");
-  if (level.mean_visible_share)
-    fmt::print("  leafs seen on average {:.1f} %\n", *level.mean_visible_share * 100);
-  for (const compiler::StageTime& time : level.times)
-    fmt::print("  {:<18} {:>8.2f} s\n", time.name, time.wall_s);
-}
-
-base::Result<std::string> read_text(const fs::path& path) {
-  TRY(const base::ByteVector bytes, vfs::read_disk_file(path));
-  return std::string(base::as_text(bytes));
-}
-
-// With the maps in it.
-base::Result<formats::Map> read_map_file(const std::string& path, compiler::Warnings& io_warnings) {
-  TRY(const std::string text, read_text(path));
-  TRY(formats::Map map, formats::read_map(text).with_file(path));
-  const auto read = [](const fs::path& prefab) { return read_text(prefab); };
-  return compiler::expand_prefabs(std::move(map), path, read, io_warnings).with_file(path);
-}
-
-compiler::CompileOptions compile_options(const CompileCommandOptions& options) {
-  compiler::CompileOptions how;
-  how.visibility = !options.no_vis;
-  how.draft.water_is_transparent = !options.opaque_water;
-  how.lighting = !options.no_light;
-  how.fast_visibility = options.fast;
-  how.light.fast = options.fast;
-  how.light.extra = options.extra;
-  how.light.bounces = options.bounces;
-  how.mip_levels = options.built_mips ? compiler::MipLevels::kBuilt : compiler::MipLevels::kFromSource;
-  return how;
-}
-
-// The file of that ending beside the level: written anew, or gone, so that none is left of the level as it
-// was.
-base::Status replace_or_remove(const fs::path& path, const std::optional<base::ByteVector>& bytes) {
-  if (bytes) return replace_file(path, *bytes);
-  std::error_code ignored;
-  fs::remove(path, ignored);
+base::Status check(const CompileCommandOptions& options) {
+  const bool shared = options.shard || options.merge;
+  const bool from_level = std::filesystem::path(options.source).extension() == ".bsp";
+  if (shared && (!options.only || *options.only == CompileStage::kBsp))
+    return usage("--shard and --merge need --only vis or --only light");
+  if (options.only && (options.no_vis || options.no_light))
+    return usage("--only leaves stages as they are; it goes with neither --no-vis nor --no-light");
+  if (shared && options.clean)
+    return usage("--shard and --merge need the .build file that --clean does without");
+  if (options.fast && shared) return usage("--fast leaves nothing to share out");
+  if (from_level && (options.watch || options.only == CompileStage::kBsp))
+    return usage("a .bsp has no brushes: --watch and --only bsp need the .map");
   return base::Ok{};
 }
 
-base::Status write_level(const compiler::CompiledLevel& level, const CompileCommandOptions& options,
-                         const fs::path& out) {
-  formats::BspVersion version = options.bsp2 ? formats::BspVersion::kBsp2 : formats::BspVersion::k29;
-  base::Result<base::ByteVector> bytes = formats::write_bsp(level.bsp, version);
-  if (!bytes.ok() && version == formats::BspVersion::k29) {
-    version = formats::BspVersion::kBsp2;
-    bytes = formats::write_bsp(level.bsp, version);
-  }
-  TRY(const base::ByteVector bsp_bytes, std::move(bytes).with_file(options.map));
-  TRY_STATUS(replace_file(out, bsp_bytes));
-  std::optional<base::ByteVector> lit, points;
-  if (level.lit) lit = formats::write_lit(*level.lit);
-  if (level.leak) points = points_of(*level.leak);
-  TRY_STATUS(replace_or_remove(fs::path(out).replace_extension(".lit"), lit));
-  const fs::path points_path = fs::path(out).replace_extension(".pts");
-  TRY_STATUS(replace_or_remove(points_path, points));
-  if (level.leak)
-    print_note(fmt::format(
-        "the level leaks, so it has no visibility: entity {} ({}) sees the outside; the way is in {}",
-        level.leak->entity, level.leak->classname, points_path.string()));
-  print_summary(level, out, bsp_bytes.size(), version);
+base::Status write(CompileSession& io_session, const compiler::CompileReport& report, bool keep) {
+  TRY_STATUS(write_level(io_session.build(), report.leak, io_session.paths(), keep));
+  if (report.leak) print_leak(*report.leak, io_session.paths());
   return base::Ok{};
+}
+
+// Until it is interrupted. What goes wrong is told, and the next version of the map tried.
+[[noreturn]] void run_and_watch(const CompileCommandOptions& options, CompileSession& io_session) {
+  FileWatch watch;
+  watch.add({options.source});  // before it is read: a save during the run counts
+  for (;;) {
+    base::Status done = base::Ok{};
+    const base::Result<compiler::CompileReport> report = io_session.run();
+    watch.add(io_session.source_files());
+    if (report.ok())
+      done = write(io_session, *report, !options.clean);
+    else
+      done = report.error();
+    if (done.ok())
+      print_times(*report, io_session.paths());
+    else
+      print_error(done.error());
+    watch.wait();
+  }
 }
 
 }  // namespace
 
 CLI::App* add_compile_command(CLI::App& program, CompileCommandOptions& io_options) {
   CLI::App* command = program.add_subcommand("compile", "Makes a level of an editor's .map");
-  command->add_option("map", io_options.map, "The .map file")->type_name("MAP")->required();
+  command
+      ->add_option("map", io_options.source, "A .map file; or a .bsp, which gets visibility and light anew")
+      ->type_name("MAP")
+      ->required();
   command->add_option("-o,--output", io_options.out, "The level; else beside the map, .bsp")
       ->type_name("OUT");
+  add_stage_options(*command, io_options);
   command
       ->add_option("--wad", io_options.wads,
                    "A WAD or .bsp with textures, or a folder of WADs; may be repeated")
@@ -205,22 +128,18 @@ CLI::App* add_compile_command(CLI::App& program, CompileCommandOptions& io_optio
 }
 
 base::Status run_compile(const CompileCommandOptions& options, const GameFolders& folders) {
-  compiler::Warnings warnings;
-  TRY(const formats::Map map, read_map_file(options.map, warnings));
-  TRY(const formats::Palette palette, find_palette(folders));
-  TRY(const TextureFiles textures,
-      find_textures({options.textures, options.wads}, options.map, map, palette, warnings));
-  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  base::Jobs jobs(options.threads.value_or(0) == 0 ? cores : *options.threads);
-  TerminalWatcher watcher;
-  base::Result<compiler::CompiledLevel> compiled = compiler::compile_level(
-      map, textures.sources, palette, compile_options(options), jobs, watcher, warnings);
-  watcher.finish();
-  print_warnings(warnings);
-  TRY(const compiler::CompiledLevel level, std::move(compiled).with_file(options.map));
-  const fs::path out =
-      options.out.empty() ? fs::path(options.map).replace_extension(".bsp") : fs::path(options.out);
-  return write_level(level, options, out);
+  TRY_STATUS(check(options));
+  TRY(const std::unique_ptr<CompileSession> session, CompileSession::begin(options, folders));
+  if (options.watch) run_and_watch(options, *session);
+  if (options.shard) return run_shard(*options.only, *options.shard, *session);
+  if (options.merge) {
+    TRY_STATUS(merge_shards(*options.only, *session));
+    return write_level(session->build(), std::nullopt, session->paths(), true);
+  }
+  TRY(const compiler::CompileReport report, session->run());
+  TRY_STATUS(write(*session, report, !options.clean));
+  print_summary(session->build(), report, session->paths());
+  return base::Ok{};
 }
 
 }  // namespace temblor::app

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "artgen/palette.h"
 #include "base/text.h"
 
 namespace temblor::app {
@@ -30,16 +31,31 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+bool is_without_data(const GameFolders& folders) {
+  std::error_code ignored;
+  return folders.base_folder.empty() && !std::filesystem::is_directory("id1", ignored);
+}
+
 }  // namespace
 
 base::Result<vfs::FileSystem> open_files(const GameFolders& folders) {
-  std::error_code ignored;
-  if (folders.base_folder.empty() && !std::filesystem::is_directory("id1", ignored))
+  if (is_without_data(folders))
     return base::error(base::ErrorCode::kNotFound,
                        "no game data: the current folder holds no id1; name the folder that does with "
                        "--basedir DIR (without --map and --demo, the level made in code needs none)");
   const std::filesystem::path base_folder = folders.base_folder.empty() ? "." : folders.base_folder;
   return vfs::FileSystem::open(base_folder, folders.games);
+}
+
+assets::Look own_look() {
+  const formats::Palette palette = artgen::make_palette();
+  return {palette, formats::make_colormap(palette)};
+}
+
+base::Result<assets::Look> find_look(const GameFolders& folders) {
+  if (is_without_data(folders)) return own_look();
+  TRY(const vfs::FileSystem files, open_files(folders));
+  return assets::load_look(files);
 }
 
 std::string suggest(std::string_view wanted, std::vector<std::string> names) {

@@ -6,12 +6,19 @@
 #include <vector>
 
 #include "app/options.h"
+#include "assets/assets.h"
 #include "base/result.h"
 #include "vfs/file_system.h"
 
 namespace temblor::app {
 
 base::Result<vfs::FileSystem> open_files(const GameFolders& folders);
+
+// The palette that the level made in code is painted with, and what follows from it.
+assets::Look own_look();
+
+// The game's; Temblor's own where no --basedir is given and the current folder holds no id1.
+base::Result<assets::Look> find_look(const GameFolders& folders);
 
 // "there are, for example, a, b, c": of `names`, those most like `wanted`; "there are none at all" without
 // any.

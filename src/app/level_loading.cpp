@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "app/game_files.h"
-#include "artgen/palette.h"
 #include "artgen/small_level.h"
 #include "base/text.h"
 
@@ -24,13 +23,14 @@ std::vector<std::string> places(const vfs::FileSystem& files) {
 
 base::Result<LoadedMap> load_small_level() {
   LoadedMap loaded;
-  loaded.look.palette = artgen::make_palette();
-  loaded.look.colormap = formats::make_colormap(loaded.look.palette);
+  loaded.look = own_look();
   TRY(loaded.level, world::make_level(artgen::make_small_level({.coloured_light = true}), "small level"));
   return loaded;
 }
 
-base::Result<assets::LoadedLevel> load_named_level(const vfs::FileSystem& files, const std::string& map) {
+base::Result<assets::LoadedLevel> load_level(const GameFolders& folders, const std::string& map) {
+  if (base::to_lower(map).ends_with(kMapSuffix)) return assets::load_level_file(map);
+  TRY(const vfs::FileSystem files, open_files(folders));
   const std::string path = fmt::format("{}{}{}", kMapFolder, map, kMapSuffix);
   if (files.contains(path)) return assets::load_level(files, map);
   base::Error error = base::error(ErrorCode::kNotFound, "no such level in {}; {}",
@@ -43,11 +43,9 @@ base::Result<assets::LoadedLevel> load_named_level(const vfs::FileSystem& files,
 
 base::Result<LoadedMap> load_map(const GameFolders& folders, const std::string& map) {
   if (map.empty()) return load_small_level();
-  TRY(const vfs::FileSystem files, open_files(folders));
   LoadedMap loaded;
-  TRY(loaded.look, assets::load_look(files));
-  TRY(assets::LoadedLevel level, base::to_lower(map).ends_with(kMapSuffix) ? assets::load_level_file(map)
-                                                                           : load_named_level(files, map));
+  TRY(loaded.look, find_look(folders));
+  TRY(assets::LoadedLevel level, load_level(folders, map));
   loaded.level = std::move(level.level);
   loaded.notes = std::move(level.notes);
   return loaded;

@@ -6,6 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include "artgen/palette.h"
+#include "artgen/small_level.h"
 #include "base/text.h"
 #include "compiler/make_wad.h"
 #include "compiler/wad_paths.h"
@@ -17,7 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // The PNG files of a folder, in order of their names, as a WAD.
-base::Result<base::ByteVector> wad_of_pictures(const fs::path& folder, const formats::Palette& palette) {
+base::Result<base::ByteVector> wad_of_pictures(const fs::path& folder, const formats::Palette& palette,
+                                               std::vector<fs::path>& out_paths) {
   std::error_code failure;
   std::vector<fs::path> paths;
   for (fs::directory_iterator it(folder, failure), end; !failure && it != end; it.increment(failure))
@@ -31,6 +34,7 @@ base::Result<base::ByteVector> wad_of_pictures(const fs::path& folder, const for
   }
   std::vector<compiler::PngFile> files;
   for (std::size_t i = 0; i < paths.size(); ++i) files.push_back({paths[i].string(), bytes[i]});
+  out_paths = std::move(paths);
   return compiler::make_wad(files, palette);
 }
 
@@ -40,6 +44,7 @@ bool add_first_of(const std::vector<fs::path>& candidates, TextureFiles& io_file
     base::Result<base::ByteVector> file = vfs::read_disk_file(path);
     if (!file.ok()) continue;
     io_files.add(path.filename().string(), std::move(file).value());
+    io_files.paths.push_back(path);
     return true;
   }
   return false;
@@ -57,7 +62,7 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
                                          compiler::Warnings& io_warnings) {
   TextureFiles files;
   if (!places.pictures.empty()) {
-    TRY(base::ByteVector wad, wad_of_pictures(places.pictures, palette));
+    TRY(base::ByteVector wad, wad_of_pictures(places.pictures, palette, files.paths));
     files.add(places.pictures, std::move(wad));
   }
   std::vector<fs::path> folders;
@@ -73,12 +78,20 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
       return base::Error{why.code, "--wad: " + why.what, wad};
     }
     files.add(fs::path(wad).filename().string(), std::move(file).value());
+    files.paths.emplace_back(wad);
   }
   const std::string_view key =
       map.entities.empty() ? "" : map.entities.front().fields.find("wad").value_or("");
   for (const std::string& entry : compiler::split_wad_key(key)) {
+    constexpr std::size_t kMaxChars = 120;  // paths are long
     if (!add_first_of(compiler::wad_candidates(entry, map_path.parent_path(), folders), files))
-      io_warnings.push_back({"WAD not found", fmt::format("{} (--wad FOLDER says where to look)", entry)});
+      io_warnings.push_back({"WAD not found", fmt::format("{} (--wad FOLDER says where to look)",
+                                                          base::quotable(entry, kMaxChars))});
+  }
+  if (palette == artgen::make_palette()) {
+    TRY(base::ByteVector own, formats::write_bsp(artgen::make_small_level({.pvs = false, .light = false}),
+                                                 formats::BspVersion::k29));
+    files.add("Temblor's own", std::move(own));
   }
   return files;
 }

@@ -19,6 +19,7 @@ namespace temblor::app {
 struct TextureFiles {
   std::vector<std::unique_ptr<base::ByteVector>> bytes;
   std::vector<compiler::TextureSource> sources;
+  std::vector<std::filesystem::path> paths;  // of all that was read
 
   void add(std::string name, base::ByteVector file);
 };
@@ -28,8 +29,9 @@ struct TexturePlaces {
   std::vector<std::string> wads;  // WADs, levels, and folders in which the map's WADs may lie
 };
 
-// In the order in which textures are looked for: pictures, `wads`, what the map's "wad" key names. What the
-// map names and nobody has is a warning; what the command line names must be there.
+// In the order in which textures are looked for: pictures, `wads`, what the map's "wad" key names; with the
+// project's own palette, last, the textures of the level made in code (artgen/small_level.h). What the map
+// names and nobody has is a warning; what the command line names must be there.
 base::Result<TextureFiles> find_textures(const TexturePlaces& places, const std::filesystem::path& map_path,
                                          const formats::Map& map, const formats::Palette& palette,
                                          compiler::Warnings& io_warnings);

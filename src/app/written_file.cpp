@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <optional>
 #include <system_error>
 
 namespace temblor::app {
@@ -12,22 +13,29 @@ base::Error cannot_write(const std::filesystem::path& path, const std::string& r
           path.string()};
 }
 
+// The system's reason, where it cannot be written as a whole.
+std::optional<std::string> write_bytes(const std::filesystem::path& path, base::Bytes bytes) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  return file ? std::nullopt : std::optional(std::generic_category().message(errno));
+}
+
 }  // namespace
 
 base::Status replace_file(const std::filesystem::path& path, base::Bytes bytes) {
+  std::error_code failure;
+  // A device or a pipe holds nothing to be kept, and a file must not take its place.
+  if (std::filesystem::is_other(path, failure)) {
+    const auto reason = write_bytes(path, bytes);
+    return reason ? base::Status(cannot_write(path, *reason)) : base::Ok{};
+  }
   std::filesystem::path beside = path;
   beside += ".new";
-  std::error_code failure;
-  {
-    errno = 0;
-    std::ofstream file(beside, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file) {
-      const std::string reason = std::generic_category().message(errno);
-      std::filesystem::remove(beside, failure);
-      return cannot_write(path, reason);
-    }
+  if (const auto reason = write_bytes(beside, bytes)) {
+    std::filesystem::remove(beside, failure);
+    return cannot_write(path, *reason);
   }
   std::filesystem::rename(beside, path, failure);
   if (!failure) return base::Ok{};

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+
+#include "base/bytes.h"
 
 namespace temblor::base {
 
@@ -20,6 +23,19 @@ constexpr std::uint64_t mixed_bits(std::uint64_t value) {
 // The hash of a sequence, one value after another.
 constexpr std::uint64_t hash_with(std::uint64_t hash, std::uint64_t value) {
   return mixed_bits((hash ^ value) + kGoldenGamma);
+}
+
+// Eight at a time, then the rest one by one.
+inline std::uint64_t hash_with_bytes(std::uint64_t hash, Bytes bytes) {
+  ByteReader reader(bytes);
+  while (reader.remaining() >= sizeof(std::uint64_t)) hash = hash_with(hash, reader.read<std::uint64_t>());
+  while (reader.remaining() > 0) hash = hash_with(hash, reader.u8());
+  return hash;
+}
+
+// How many they are counts as well.
+inline std::uint64_t hash_of_bytes(Bytes bytes) {
+  return hash_with_bytes(hash_with(0, bytes.size()), bytes);
 }
 
 // 0 and -0 are one value.

@@ -31,4 +31,9 @@ inline std::string printable(std::string_view text) {
   return line;
 }
 
+// As much of it as a message of one line can bear.
+inline std::string quotable(std::string_view text, std::size_t max_chars = 40) {
+  return printable(text.substr(0, max_chars)) + (text.size() > max_chars ? "..." : "");
+}
+
 }  // namespace temblor::base

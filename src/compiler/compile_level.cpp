@@ -3,13 +3,24 @@
 #include <algorithm>
 #include <chrono>
 #include <string>
+#include <utility>
 
-#include "base/text.h"
-#include "compiler/visibility.h"
-#include "compiler/visibility_lump.h"
+#include "base/hash.h"
+#include "compiler/bsp/level_entities.h"
+#include "compiler/build_keys.h"
+#include "compiler/build_light.h"
+#include "compiler/build_visibility.h"
+#include "compiler/level_textures.h"
+#include "compiler/tree_portals.h"
 
 namespace temblor::compiler {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 // Tells the watcher of stages, and keeps how long each takes.
 class Stages {
@@ -18,106 +29,134 @@ class Stages {
 
   template <typename Stage>
   auto run(const char* name, const Stage& stage) {
-    using Clock = std::chrono::steady_clock;
     watcher_.begin_stage(name);
     const Clock::time_point start = Clock::now();
     auto result = stage();
-    out_.push_back({name, std::chrono::duration<double>(Clock::now() - start).count()});
+    out_.push_back({name, seconds_since(start)});
     return result;
   }
+  void keep(const char* name) { out_.push_back({name, std::nullopt}); }
 
  private:
   CompileWatcher& watcher_;
   std::vector<StageTime>& out_;
 };
 
-std::vector<std::string_view> texture_names(const formats::Map& map) {
-  std::vector<std::string_view> names;
-  for (const formats::MapEntity& entity : map.entities)
-    for (const formats::MapBrush& brush : entity.brushes)
-      for (const formats::MapSide& side : brush.sides)
-        if (names.empty() || names.back() != side.texture) names.push_back(side.texture);
-  return names;
+// As a reader of the file will see it: what is kept in memory and what a later run reads are the same.
+base::Result<formats::Bsp> as_written(const formats::Bsp& bsp, bool bsp2) {
+  base::Result<base::ByteVector> bytes =
+      formats::write_bsp(bsp, bsp2 ? formats::BspVersion::kBsp2 : formats::BspVersion::k29);
+  if (!bytes.ok() && !bsp2) bytes = formats::write_bsp(bsp, formats::BspVersion::kBsp2);
+  TRY(const base::ByteVector written, std::move(bytes));
+  return formats::read_bsp(written);
 }
 
-math::Vec2d size_of(const TextureSet& set, std::string_view name) {
-  const std::optional<std::uint32_t> found = set.find(name);
-  if (!found) return {64, 64};
-  const formats::BspMiptex& texture = set.miptexes[*found];
-  return {texture.width, texture.height};
+// With the pictures of its textures: a file knows no names without them.
+base::Result<Build> build_of(Draft draft, const TextureSet& textures, bool bsp2) {
+  Build build;
+  build.own_textures = draft.bsp.miptexes.size();
+  put_textures(textures, build.own_textures, draft.bsp);
+  TRY(build.bsp, as_written(draft.bsp, bsp2));
+  build.brush_entities = std::move(draft.brush_entities);
+  build.portals = std::move(draft.portals);
+  build.face_keys = {std::move(draft.surface_keys), std::move(draft.keys_of_face)};
+  return build;
 }
 
-// The rest of a name in an animation: "+0lava" and "+1lava" are frames of one.
-std::string sequence_of(std::string_view name) {
-  return name.size() > 2 && name.front() == '+' ? base::to_lower(name.substr(2)) : std::string{};
+bool is_up_to_date(const Build& build, StageKey brushes_key, const formats::Map& map,
+                   const CompileOptions& options) {
+  if (build.bsp.models.empty() || build.brushes_key != brushes_key) return false;
+  // What visibility wrote into leafs and models is not undone, but made without.
+  if (options.visibility_wish == StageWish::kLeaveOut && build.visibility != VisibilityKind::kNone)
+    return false;
+  return build.solid_occupants_key == key_of_solid_occupants(map, build.bsp);
 }
 
-// The draft's textures by name become those of the set; whole animations come along.
-void put_textures(const TextureSet& set, formats::Bsp& io_bsp) {
-  std::vector<std::string> sequences;
-  std::vector<bool> taken(set.miptexes.size(), false);
-  for (formats::BspMiptex& texture : io_bsp.miptexes) {
-    const std::optional<std::uint32_t> found = set.find(texture.name);
-    if (const std::string sequence = sequence_of(texture.name); !sequence.empty())
-      sequences.push_back(sequence);
-    if (!found) continue;
-    taken[*found] = true;
-    texture = set.miptexes[*found];
+base::Status make_brushes(const formats::Map& map, const TextureSet& textures, const CompileOptions& options,
+                          base::Jobs& jobs, Stages& io_stages, Build& io_build, CompileReport& io_report,
+                          Warnings& io_warnings) {
+  const auto size = [&](std::string_view name) { return texture_size_of(textures, name); };
+  const StageKey key = base::hash_with(key_of_brushes(map, size, options.draft), options.bsp2 ? 1 : 0);
+  if (is_up_to_date(io_build, key, map, options)) {
+    io_stages.keep("bsp");
+    put_textures(textures, io_build.own_textures, io_build.bsp);
+    io_build.bsp.entities = formats::write_entities(level_entities(map, io_build.brush_entities));
+    return base::Ok{};
   }
-  for (std::size_t i = 0; i < set.miptexes.size(); ++i) {
-    const std::string sequence = sequence_of(set.miptexes[i].name);
-    if (taken[i] || sequence.empty()) continue;
-    if (std::find(sequences.begin(), sequences.end(), sequence) != sequences.end())
-      io_bsp.miptexes.push_back(set.miptexes[i]);
+  TRY(DraftResult made,
+      io_stages.run("bsp", [&] { return make_draft(map, size, options.draft, jobs, io_warnings); }));
+  TRY(Build build, build_of(std::move(made.draft), textures, options.bsp2));
+  build.visibility_state = std::move(io_build.visibility_state);
+  build.light_cache = std::move(io_build.light_cache);
+  io_build = std::move(build);
+  if (!made.leak && !made.is_region) {
+    io_build.brushes_key = key;
+    io_build.solid_occupants_key = key_of_solid_occupants(map, io_build.bsp);
   }
+  io_report.leak = std::move(made.leak);
+  return base::Ok{};
 }
 
-base::Status add_visibility(const PortalSet& portals, bool fast, base::Jobs& jobs, Progress progress,
-                            CompiledLevel& io_level) {
-  BitMatrix visible;
-  if (fast) {
-    visible = roughly_visible_clusters(portals, jobs);
-  } else {
-    VisibilityState state = begin_visibility(portals);
-    if (continue_visibility(portals, jobs, progress, state) != VisibilityEnd::kFinished)
-      return base::error(base::ErrorCode::kUsage, "stopped while working out visibility");
-    visible = visible_clusters(portals, state);
+base::Status finish(const formats::Palette& palette, const CompileOptions& options, base::Jobs& jobs,
+                    CompileWatcher& watcher, bool leaks, Stages& io_stages, Build& io_build,
+                    Warnings& io_warnings) {
+  const VisibilityKind wanted = options.fast_visibility ? VisibilityKind::kRough : VisibilityKind::kFull;
+  if (!leaks && options.visibility_wish == StageWish::kMake && io_build.visibility != wanted)
+    TRY_STATUS(io_stages.run("visibility", [&] { return make_visibility(wanted, jobs, watcher, io_build); }));
+  else if (io_build.visibility != VisibilityKind::kNone)
+    io_stages.keep("visibility");
+
+  if (options.light_wish == StageWish::kLeaveOut) {
+    remove_light(io_build);
+    return base::Ok{};
   }
-  io_level.mean_visible_share = mean_visible_share(portals, visible);
-  return write_visibility(portals, visible, {}, io_level.bsp);
+  LightOptions how = options.light;
+  how.palette = palette;
+  TRY(const StageKey key, light_key_of(io_build, how));
+  if (options.light_wish == StageWish::kKeep || key == io_build.light_key) {
+    if (io_build.light_key == 0) return base::Ok{};  // none, or not ours
+    io_stages.keep("light");
+    return keep_light(io_build);
+  }
+  const auto progress = [&](std::size_t done, std::size_t total) { return watcher.progress(done, total); };
+  return io_stages.run("light", [&] { return make_light(how, jobs, progress, io_build, io_warnings); });
 }
 
 }  // namespace
 
-base::Result<CompiledLevel> compile_level(const formats::Map& map, std::span<const TextureSource> sources,
+base::Result<CompileReport> compile_level(const formats::Map& map, std::span<const TextureSource> sources,
                                           const formats::Palette& palette, const CompileOptions& options,
-                                          base::Jobs& jobs, CompileWatcher& watcher, Warnings& io_warnings) {
-  CompiledLevel level;
-  Stages stages(watcher, level.times);
+                                          base::Jobs& jobs, CompileWatcher& watcher, Build& io_build,
+                                          Warnings& io_warnings) {
+  CompileReport report;
+  Stages stages(watcher, report.times);
   const TextureSet textures = stages.run("textures", [&] {
     return make_texture_set(texture_names(map), sources, palette, options.mip_levels, io_warnings);
   });
-  const auto size = [&](std::string_view name) { return size_of(textures, name); };
-  TRY(DraftResult made,
-      stages.run("bsp", [&] { return make_draft(map, size, options.draft, jobs, io_warnings); }));
-  level.leak = std::move(made.leak);
-  level.bsp = std::move(made.draft.bsp);
-  put_textures(textures, level.bsp);
-  const auto progress = [&](std::size_t done, std::size_t total) { return watcher.progress(done, total); };
-  if (options.visibility && !level.leak)
-    TRY_STATUS(stages.run("visibility", [&] {
-      return add_visibility(made.draft.portals, options.fast_visibility, jobs, progress, level);
-    }));
-  if (options.lighting) {
-    const FaceKeys keys{std::move(made.draft.surface_keys), std::move(made.draft.keys_of_face)};
-    TRY(level.light, stages.run("light", [&] {
-      LightOptions how = options.light;
-      how.palette = palette;
-      return light_level(level.bsp, keys, how, jobs, progress, io_warnings);
-    }));
-    if (level.light.coloured) level.lit = level.light.lit;
-  }
-  return level;
+  TRY_STATUS(make_brushes(map, textures, options, jobs, stages, io_build, report, io_warnings));
+  TRY_STATUS(finish(palette, options, jobs, watcher, report.leak.has_value(), stages, io_build, io_warnings));
+  return report;
+}
+
+base::Result<Build> build_of_level(formats::Bsp bsp, std::optional<formats::Lit> lit,
+                                   bool water_is_transparent) {
+  Build build;
+  TRY(const std::vector<formats::Entity> entities, formats::read_entities(bsp.entities));
+  TRY(build.portals, make_tree_portals(bsp, {water_is_transparent, Clusters::kSharedVisibility}));
+  build.face_keys = face_keys_of(bsp, entities);
+  build.own_textures = bsp.miptexes.size();
+  build.bsp = std::move(bsp);
+  build.lit = std::move(lit);
+  return build;
+}
+
+base::Result<CompileReport> finish_level(const formats::Palette& palette, const CompileOptions& options,
+                                         base::Jobs& jobs, CompileWatcher& watcher, Build& io_build,
+                                         Warnings& io_warnings) {
+  CompileReport report;
+  Stages stages(watcher, report.times);
+  TRY_STATUS(finish(palette, options, jobs, watcher, false, stages, io_build, io_warnings));
+  return report;
 }
 
 }  // namespace temblor::compiler

@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "compiler/light/light_hash.h"
+#include "base/hash.h"
 
 namespace temblor::compiler {
 namespace {
@@ -83,7 +83,7 @@ base::ByteVector write_light_cache(const LightCache& cache) {
   writer.u32(static_cast<std::uint32_t>(cache.maps.size()));
   for (const LightCache::Map& map : cache.maps) write_map(map, writer);
   write_all(cache.bounces, writer);
-  writer.write(hash_of_bytes(writer.view()));
+  writer.write(base::hash_of_bytes(writer.view()));
   return std::move(writer).take();
 }
 
@@ -95,7 +95,7 @@ base::Result<LightCache> read_light_cache(base::Bytes bytes) {
   if (const std::uint32_t version = reader.u32(); version != kVersion)
     return base::error(base::ErrorCode::kUnsupported, "light cache: version {}, known is {}", version,
                        kVersion);
-  if (end.read<std::uint64_t>() != hash_of_bytes(bytes.first(bytes.size() - kHashBytes)))
+  if (end.read<std::uint64_t>() != base::hash_of_bytes(bytes.first(bytes.size() - kHashBytes)))
     return base::malformed("light cache: damaged, its hash is not that of its bytes");
   LightCache cache;
   for (std::uint64_t* hash : {&cache.geometry, &cache.dirt, &cache.sky}) *hash = reader.read<std::uint64_t>();

@@ -39,18 +39,6 @@ struct Preparation {
   std::vector<SkyBeam> beams;
 };
 
-// The level that light falls on: as it is, but unlit.
-formats::Bsp unlit(const formats::Bsp& bsp) {
-  formats::Bsp copy = bsp;
-  copy.lighting.clear();
-  copy.bspx.clear();
-  for (formats::BspFace& face : copy.faces) {
-    face.styles = {255, 255, 255, 255};
-    face.light_offset = -1;
-  }
-  return copy;
-}
-
 LightSettings settings_of(const std::vector<formats::Entity>& entities, const LightOptions& options) {
   const auto world = std::find_if(entities.begin(), entities.end(), [](const formats::Entity& entity) {
     return entity.classname() == "worldspawn";

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text.h"
 #include "compiler/bsp/cluster_portals.h"
 #include "compiler/bsp/expand_brush.h"
 #include "compiler/bsp/faces.h"
+#include "compiler/bsp/fence_sight.h"
 #include "compiler/bsp/fill_outside.h"
 #include "compiler/bsp/leaf_portals.h"
 #include "compiler/bsp/level_brushes.h"
@@ -32,7 +34,7 @@ Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& le
                           const DraftOptions& options) {
   std::vector<Brush> drawn;
   std::copy_if(brushes.begin(), brushes.end(), std::back_inserter(drawn),
-               [](const Brush& b) { return b.is_drawn; });
+               [](const Brush& brush) { return (brush.hulls & kDrawnHull) != 0; });
   Tree first = build_tree(drawn, level.planes, Cover::kLast);
   const LeafPortals first_portals = make_leaf_portals(first, level.planes);
   Partition made;
@@ -45,12 +47,14 @@ Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& le
   prune(made.tree, [](const TreeLeaf& a, const TreeLeaf& b) { return are_one(a, b); });
   made.faces = place_faces(faces, made.tree, level.planes);
   merge_faces(made.faces, level.planes);
+  mark_around_fences(made.faces, made.tree, made.portals.portals);
   subdivide_faces(made.faces, level.surfaces, options.subdivide_texels);
   return made;
 }
 
-Partition partition_hull(std::span<const Brush> expanded, const LevelBrushes& level, bool is_world,
+Partition partition_hull(std::vector<Brush> expanded, const LevelBrushes& level, bool is_world,
                          const DraftOptions& options) {
+  for (Brush& brush : expanded) add_windings(brush, level.planes);
   Tree first = build_tree(expanded, level.planes, Cover::kAnySolid);
   const LeafPortals first_portals = make_leaf_portals(first, level.planes);
   Partition made;
@@ -83,15 +87,17 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   for (std::size_t model = 0; model < models; ++model)
     for (std::size_t hull = 0; hull < kHullBoxes.size(); ++hull)
       for (const Brush& brush : level.models[model])
-        if (brush.clips) expanded[model][hull].push_back(expand(brush, kHullBoxes[hull], level.planes));
+        if ((brush.hulls & hull_bit(hull + 1)) != 0)
+          expanded[model][hull].push_back(expand(brush, kHullBoxes[hull], level.planes));
   std::vector<Partition> parts(models * kTrees);
   jobs.parallel_for(parts.size(), [&](std::size_t job) {
     const std::size_t model = job / kTrees, hull = job % kTrees;
     parts[job] = hull == 0 ? partition_drawn(level.models[model], level, model == 0, options)
-                           : partition_hull(expanded[model][hull - 1], level, model == 0, options);
+                           : partition_hull(std::move(expanded[model][hull - 1]), level, model == 0, options);
   });
 
   DraftResult result;
+  result.is_region = level.is_region;
   LevelWriter writer(level.planes);
   std::vector<std::uint32_t> leafs_of_world;
 
@@ -117,12 +123,14 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   }
   for (const std::string& texture : level.textures) draft.bsp.miptexes.emplace_back().name = texture;
   draft.bsp.entities = formats::write_entities(level.entities);
+  draft.brush_entities = std::move(level.brush_entities);
   draft.surface_keys = std::move(level.surface_keys);
-  if (const auto& leak = parts.front().leak)
-    result.leak =
-        LeakWay{level.entity_of_occupant[leak->entity],
-                std::string(map.entities[level.entity_of_occupant[leak->entity]].fields.classname()),
-                leak->way_world};
+  if (const auto& leak = parts.front().leak) {
+    const std::size_t entity = level.entity_of_occupant[leak->entity];
+    result.leak = LeakWay{entity, base::quotable(map.entities[entity].fields.classname()), leak->way_world};
+  }
+  if (draft.bsp.faces.empty())
+    io_warnings.push_back({"nothing is drawn", "every side is hidden, or has a texture that is not drawn"});
   return result;
 }
 

@@ -22,13 +22,14 @@ struct DraftOptions {
 // How a level that is not closed leaks: from an entity to the outside.
 struct LeakWay {
   std::size_t entity;  // of the map
-  std::string classname;
+  std::string classname;  // as much of it as a message can bear
   std::vector<math::Vec3d> points_world;
 };
 
 struct DraftResult {
   Draft draft;  // its textures are names without pictures
   std::optional<LeakWay> leak;
+  bool is_region = false;  // only a part of the map is in it
 };
 
 // The same bytes whatever the number of threads. Errors: no worldspawn, no brush with a volume, a brush

@@ -14,12 +14,6 @@ constexpr std::uint32_t kMagic = 0x53495654;  // "TVIS"
 constexpr std::uint32_t kVersion = 1;
 constexpr std::size_t kHeaderBytes = 24, kHashBytes = 8;
 
-std::uint64_t hash_of(base::Bytes bytes) {
-  std::uint64_t hash = bytes.size();
-  for (const std::byte byte : bytes) hash = base::hash_with(hash, static_cast<std::uint64_t>(byte));
-  return hash;
-}
-
 base::Error other_level() {
   return base::error(
       base::ErrorCode::kUsage,
@@ -62,7 +56,7 @@ base::ByteVector write_visibility_state(const VisibilityState& state) {
   writer.bytes(std::as_bytes(std::span(flags)));
   for (std::size_t i = 0; i < state.finished.size(); ++i)
     if (state.finished[i] != 0) writer.bytes(std::as_bytes(state.seen.row(i)));
-  writer.write(hash_of(writer.view()));
+  writer.write(base::hash_of_bytes(writer.view()));
   return std::move(writer).take();
 }
 
@@ -75,7 +69,7 @@ base::Result<VisibilityState> read_visibility_state(base::Bytes bytes, const Vis
     return base::error(base::ErrorCode::kUnsupported, "saved visibility: version {}, known is {}", version,
                        kVersion);
   base::ByteReader end(bytes.last(kHashBytes));
-  if (end.read<std::uint64_t>() != hash_of(bytes.first(bytes.size() - kHashBytes)))
+  if (end.read<std::uint64_t>() != base::hash_of_bytes(bytes.first(bytes.size() - kHashBytes)))
     return base::malformed("saved visibility: damaged, its hash is not that of its bytes");
 
   VisibilityState state;

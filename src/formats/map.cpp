@@ -12,12 +12,6 @@
 namespace temblor::formats {
 namespace {
 
-// As much of a text as a message of one line can bear.
-std::string quotable(std::string_view text) {
-  constexpr std::size_t kMaxChars = 40;
-  return base::printable(text.substr(0, kMaxChars)) + (text.size() > kMaxChars ? "..." : "");
-}
-
 class MapReader {
  public:
   explicit MapReader(std::string_view text) : scanner_(text) {}
@@ -64,14 +58,14 @@ std::string MapReader::place() const {
   if (!in_entity_) return "";
   std::string place = fmt::format("entity {}", map_.entities.size() - 1);
   if (const std::string_view name = map_.entities.back().fields.classname(); !name.empty())
-    place += fmt::format(" ({})", quotable(name));
+    place += fmt::format(" ({})", base::quotable(name));
   if (brush_) place += fmt::format(", brush {}", *brush_);
   return place + ", ";
 }
 
 std::string MapReader::next_token() {
   if (scanner_.peek() == '\0') return "the end of the text";
-  return fmt::format("\"{}\"", quotable(scanner_.run()));
+  return fmt::format("\"{}\"", base::quotable(scanner_.run()));
 }
 
 base::Status MapReader::expect(char expected) {
@@ -225,7 +219,7 @@ base::Status MapReader::read_brush(std::vector<MapBrush>& io_brushes) {
       TRY_STATUS(expect('}'));
     } else {
       return malformed_on(line, "expected a side or the brush's closing brace, found \"{}\"",
-                          quotable(keyword.empty() ? scanner_.run() : keyword));
+                          base::quotable(keyword.empty() ? scanner_.run() : keyword));
     }
   }
   brush_.reset();
@@ -249,7 +243,7 @@ base::Status MapReader::read_pair(Entity& io_fields) {
   } else {
     return malformed("{}", kNotClosed);
   }
-  if (!is_text_next()) return malformed_on(line, "the key \"{}\" has no value", quotable(key));
+  if (!is_text_next()) return malformed_on(line, "the key \"{}\" has no value", base::quotable(key));
 
   if (scanner_.peek() != '"') {
     io_fields.pairs.emplace_back(key, scanner_.word());

@@ -2,12 +2,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdlib>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <random>
+#include <thread>
 
+#include "app/child_process.h"
 #include "app/program.h"
 #include "artgen/palette.h"
 #include "formats/bsp.h"
 #include "formats/png.h"
+#include "support/effort.h"
 #include "support/game_data.h"
 #include "support/room_map.h"
 #include "support/temporary_folder.h"
@@ -15,6 +22,7 @@
 namespace temblor::test {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -82,11 +90,174 @@ TEST_F(CompileProgram, LeakIsToldAndItsWayIsWritten) {
   EXPECT_THAT(run.err, HasSubstr("info_player_start"));
   EXPECT_THAT(run.err, HasSubstr("leak.pts"));
   EXPECT_THAT(read_text(folder_.path() / "leak.pts"), HasSubstr("0.00 0.00 32.00\n"));
+  EXPECT_THAT(run.err, HasSubstr("leak.leak.png"));
+  const Png picture = read_png(folder_.path() / "leak.leak.png");
+  const auto has_pixel = [&](int red, int green, int blue) {
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3)
+      if (picture.rgb[i] == red && picture.rgb[i + 1] == green && picture.rgb[i + 2] == blue) return true;
+    return false;
+  };
+  EXPECT_TRUE(has_pixel(64, 230, 89)) << "where the way begins";
+  EXPECT_TRUE(has_pixel(255, 51, 51)) << "where it ends";
+  // Gone once the hole is mended.
+  folder_.write("leak.map", lit_room());
+  EXPECT_EQ(run_program(folder_.path(), {"compile", "leak.map"}).exit_status, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "leak.pts"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "leak.leak.png"));
+}
+
+TEST_F(CompileProgram, KeepsWhatDidNotChange) {
+  folder_.write("room.map", lit_room());
+  const Words compile{"compile", "room.map"};
+  ASSERT_EQ(run_program(folder_.path(), compile).exit_status, 0);
+  const std::string level = read_text(folder_.path() / "room.bsp"),
+                    lit = read_text(folder_.path() / "room.lit");
+  const ProgramRun again = run_program(folder_.path(), compile);
+  EXPECT_THAT(again.out, ContainsRegex("bsp +unchanged"));
+  EXPECT_THAT(again.out, ContainsRegex("visibility +unchanged"));
+  EXPECT_THAT(again.out, ContainsRegex("light +unchanged"));
+  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), level);
+  EXPECT_EQ(read_text(folder_.path() / "room.lit"), lit);
+  // Nothing is kept of what somebody else wrote, or of a file that is damaged.
+  folder_.write("room.lit", std::string(lit.size(), 'x'));
+  EXPECT_THAT(run_program(folder_.path(), compile).out, Not(HasSubstr("unchanged")));
+  folder_.write("room.build", "no build file");
+  const ProgramRun damaged = run_program(folder_.path(), compile);
+  EXPECT_THAT(damaged.err, HasSubstr("room.build"));
+  EXPECT_THAT(damaged.out, Not(HasSubstr("unchanged")));
+  EXPECT_EQ(read_text(folder_.path() / "room.lit"), lit);
+  EXPECT_THAT(run_program(folder_.path(), {"compile", "room.map", "--clean"}).out,
+              Not(HasSubstr("unchanged")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "room.build"));
+}
+
+TEST_F(CompileProgram, OneStageAlone) {
+  folder_.write("room.map", lit_room());
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "whole.bsp"}).exit_status, 0);
+  for (const char* stage : {"bsp", "vis", "light"}) {
+    const ProgramRun run = run_program(folder_.path(), {"compile", "room.map", "--only", stage});
+    ASSERT_EQ(run.exit_status, 0) << run.err;
+    const formats::Bsp bsp = read_level("room.bsp");
+    EXPECT_EQ(bsp.visibility.empty(), std::string(stage) == "bsp");
+    EXPECT_EQ(bsp.lighting.empty(), std::string(stage) != "light");
+  }
+  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), read_text(folder_.path() / "whole.bsp"));
+}
+
+TEST_F(CompileProgram, LevelWithoutItsMapGetsVisibilityAndLight) {
+  folder_.write("room.map", lit_room());
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "--clean"}).exit_status, 0);
+  const formats::Bsp whole = read_level("room.bsp");
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "--clean", "--only", "bsp", "-o", "bare.bsp"})
+                .exit_status,
+            0);
+  const ProgramRun run = run_program(folder_.path(), {"compile", "bare.bsp", "-o", "again.bsp"});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  const formats::Bsp again = read_level("again.bsp");
+  EXPECT_EQ(again.lighting, whole.lighting);
+  EXPECT_EQ(again.visibility, whole.visibility);
+  EXPECT_EQ(read_text(folder_.path() / "again.lit"), read_text(folder_.path() / "room.lit"));
+}
+
+TEST_F(CompileProgram, ShardsMakeTheSameLevel) {
+  folder_.write("room.map", lit_room());
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "whole.bsp"}).exit_status, 0);
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "--only", "bsp"}).exit_status, 0);
+  const auto run = [&](const Words& words) {
+    Words all{"compile", "room.map", "--only"};
+    all.insert(all.end(), words.begin(), words.end());
+    const ProgramRun done = run_program(folder_.path(), all);
+    EXPECT_EQ(done.exit_status, 0) << done.err;
+    return done;
+  };
+  constexpr int kMostRounds = 7;
+  for (int round = 0; round < kMostRounds; ++round) {
+    run({"vis", "--shard", "2/2"});
+    run({"vis", "--shard", "1/2"});
+    run({"vis", "--merge"});
+  }
+  EXPECT_THAT(run({"vis", "--merge"}).out, HasSubstr("visibility is finished"));
+  for (const char* shard : {"1/3", "2/3", "3/3"}) run({"light", "--shard", shard});
+  run({"light", "--merge"});
+  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), read_text(folder_.path() / "whole.bsp"));
+  EXPECT_EQ(read_text(folder_.path() / "room.lit"), read_text(folder_.path() / "whole.lit"));
+  for (const auto& file : std::filesystem::directory_iterator(folder_.path()))
+    EXPECT_THAT(file.path().filename().string(), Not(HasSubstr("-of-")));
+}
+
+TEST_F(CompileProgram, WatchCompilesWhatIsSaved) {
+  folder_.write("room.map", lit_room());
+  auto program = app::ChildProcess::start(
+      {TEMBLOR_PROGRAM, "compile", (folder_.path() / "room.map").string(), "--watch", "--fast"});
+  ASSERT_TRUE(program.ok()) << program.error().message();
+  const auto wait_for = [&](const std::function<bool()>& is_so) {
+    constexpr std::chrono::seconds kAtMost{60};
+    const auto start = std::chrono::steady_clock::now();
+    while (!is_so() && std::chrono::steady_clock::now() - start < kAtMost)
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return is_so();
+  };
+  const auto has = [&](const char* text) {
+    return std::filesystem::exists(folder_.path() / "room.bsp") &&
+           read_level("room.bsp").entities.find(text) != std::string::npos;
+  };
+  ASSERT_TRUE(wait_for([&] { return has("A room"); }));
+  folder_.write("room.map", lit_room() + "{");  // told, and not the end
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  folder_.write("room.map", lit_room() + point_text("monster_ogre", {50, 0, 30}));
+  EXPECT_TRUE(wait_for([&] { return has("monster_ogre"); }));
+}
+
+// Rows of pillars, each a little out of line: slow to work out what is seen between them.
+std::string hall_of_pillars(int side) {
+  const double width = side * 64;
+  std::string brushes = walls_text({0, 0, 0}, {width, width, 128}, "wall");
+  std::mt19937 random(1);
+  const auto shift = [&] { return static_cast<double>(random() % 16); };
+  for (int i = 0; i < side * side; ++i) {
+    const math::Vec3d at(i % side * 64 + 16 + shift(), i / side * 64 + 16 + shift(), 0);
+    brushes += box_text(at, at + math::Vec3d(16, 16, 128), "pillar");
+  }
+  return entity_text("worldspawn", "", brushes) + point_text("info_player_start", {8, 8, 40});
+}
+
+TEST_F(CompileProgram, StoppedVisibilityGoesOn) {
+  folder_.write("hall.map", hall_of_pillars(effort(14, 10)));
+  const std::string map = (folder_.path() / "hall.map").string();
+  const auto exists = [&](const char* name) { return std::filesystem::exists(folder_.path() / name); };
+  // Stopped before visibility begins nothing is saved: then later.
+  for (int wait_ms = 100; wait_ms < 10'000 && !exists("hall.build"); wait_ms += wait_ms / 2) {
+    auto program =
+        app::ChildProcess::start({TEMBLOR_PROGRAM, "compile", map, "--no-light", "--threads", "1"});
+    ASSERT_TRUE(program.ok()) << program.error().message();
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
+  }
+  ASSERT_TRUE(exists("hall.build"));
+  ASSERT_FALSE(exists("hall.bsp")) << "it was finished before it could be stopped";
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "hall.map", "--no-light"}).exit_status, 0);
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "hall.map", "--no-light", "--clean", "-o", "whole.bsp"})
+                .exit_status,
+            0);
+  EXPECT_EQ(read_text(folder_.path() / "hall.bsp"), read_text(folder_.path() / "whole.bsp"));
+}
+
+// The script in docs/, with processes in place of machines.
+TEST_F(CompileProgram, ScriptForGnuParallelMakesTheSameLevel) {
+  if (std::system("command -v parallel >/dev/null") != 0) GTEST_SKIP() << "GNU parallel is not installed";
+  folder_.write("room.map", lit_room());
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "whole.bsp"}).exit_status, 0);
+  const std::string command =
+      fmt::format("cd '{}' && TEMBLOR='{}' '{}/compile_with_parallel.sh' 2 room.map >log 2>&1",
+                  folder_.path().string(), TEMBLOR_PROGRAM, TEMBLOR_DOCS);
+  ASSERT_EQ(std::system(command.c_str()), 0) << read_text(folder_.path() / "log");
+  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), read_text(folder_.path() / "whole.bsp"));
+  EXPECT_EQ(read_text(folder_.path() / "room.lit"), read_text(folder_.path() / "whole.lit"));
 }
 
 TEST_F(CompileProgram, WhatIsWrongIsOneLine) {
   folder_.write("broken.map", "{\n\"classname\" \"worldspawn\"\n{\n( 0 0 x )\n");
   folder_.write("empty.map", "");
+  folder_.write("broken.bsp", "no level");
   folder_.write("room.map", lit_room());
   struct Case {
     Words words;
@@ -101,6 +272,16 @@ TEST_F(CompileProgram, WhatIsWrongIsOneLine) {
       {{"compile", "room.map", "--wad", "none.wad"}, 1, {"none.wad", "--wad"}},
       {{"compile", "room.map", "--extra", "3"}, 2, {"--extra"}},
       {{"compile", "room.map", "-o", "nowhere/room.bsp"}, 1, {"nowhere/room.bsp", "-o"}},
+      {{"compile", "room.map", "--only", "qbsp"}, 2, {"qbsp", "bsp, vis and light"}},
+      {{"compile", "room.map", "--only", "vis", "--no-light"}, 2, {"--only", "--no-light"}},
+      {{"compile", "room.map", "--shard", "1/2"}, 2, {"--only"}},
+      {{"compile", "room.map", "--only", "bsp", "--merge"}, 2, {"--merge"}},
+      {{"compile", "room.map", "--only", "vis", "--shard", "0/2"}, 2, {"0/2"}},
+      {{"compile", "room.map", "--only", "vis", "--shard", "3/2"}, 2, {"3/2"}},
+      {{"compile", "room.map", "--only", "light", "--merge"}, 1, {"room.light", "--shard"}},
+      {{"compile", "none.bsp"}, 1, {"none.bsp"}},
+      {{"compile", "broken.bsp"}, 1, {"broken.bsp"}},
+      {{"compile", "none.bsp", "--watch"}, 2, {"--watch"}},
   };
   for (const Case& c : cases) {
     const ProgramRun run = run_program(folder_.path(), c.words);

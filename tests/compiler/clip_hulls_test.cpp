@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "base/text.h"
+#include "compiler/brush_boxes.h"
 #include "compiler/make_draft.h"
 #include "support/effort.h"
 #include "support/game_data.h"
@@ -19,103 +19,6 @@ namespace temblor::test {
 namespace {
 
 using math::Vec3d;
-
-// A brush by its corners and planes, from the text alone.
-struct Solid {
-  std::vector<Vec3d> corners, normals, edges;
-  std::vector<double> distances;
-  Vec3d mins{1e9}, maxs{-1e9};
-};
-
-// Every triple of planes meets in a point; those behind all planes are the corners.
-Solid solid_of(const formats::MapBrush& brush) {
-  Solid solid;
-  for (const formats::MapSide& side : brush.sides) {
-    const auto& p = side.points_world;
-    const Vec3d normal = glm::normalize(glm::cross(p[0] - p[1], p[2] - p[1]));
-    solid.normals.push_back(normal);
-    solid.distances.push_back(glm::dot(normal, p[1]));
-  }
-  const std::size_t sides = solid.normals.size();
-  std::vector<std::array<std::size_t, 3>> planes_of;
-  for (std::size_t i = 0; i < sides; ++i)
-    for (std::size_t j = i + 1; j < sides; ++j)
-      for (std::size_t k = j + 1; k < sides; ++k) {
-        const Vec3d &a = solid.normals[i], &b = solid.normals[j], &c = solid.normals[k];
-        const double volume = glm::dot(a, glm::cross(b, c));
-        if (std::abs(volume) < 1e-6) continue;
-        const Vec3d point = (glm::cross(b, c) * solid.distances[i] + glm::cross(c, a) * solid.distances[j] +
-                             glm::cross(a, b) * solid.distances[k]) /
-                            volume;
-        bool inside = true;
-        for (std::size_t s = 0; s < sides && inside; ++s)
-          inside = glm::dot(solid.normals[s], point) <= solid.distances[s] + 0.01;
-        if (!inside) continue;
-        solid.corners.push_back(point);
-        solid.mins = glm::min(solid.mins, point);
-        solid.maxs = glm::max(solid.maxs, point);
-      }
-  for (std::size_t i = 0; i < sides; ++i)
-    for (std::size_t j = i + 1; j < sides; ++j) {
-      const Vec3d edge = glm::cross(solid.normals[i], solid.normals[j]);
-      if (glm::length(edge) > 1e-6) solid.edges.push_back(glm::normalize(edge));
-    }
-  return solid;
-}
-
-struct HullBox {
-  Vec3d mins, maxs;
-};
-
-// How deep the box at `at` is in the solid: by the separating axis that parts them most, or least overlaps;
-// negative: how far apart along it.
-double depth_in(const Solid& solid, const HullBox& box, const Vec3d& at) {
-  double least = std::numeric_limits<double>::max();
-  const auto try_axis = [&](const Vec3d& axis) {
-    double near = 1e9, far = -1e9;
-    for (const Vec3d& corner : solid.corners) {
-      near = std::min(near, glm::dot(axis, corner));
-      far = std::max(far, glm::dot(axis, corner));
-    }
-    double low = glm::dot(axis, at), high = low;
-    for (int i = 0; i < 3; ++i) {
-      low += std::min(axis[i] * box.mins[i], axis[i] * box.maxs[i]);
-      high += std::max(axis[i] * box.mins[i], axis[i] * box.maxs[i]);
-    }
-    least = std::min({least, far - low, high - near});
-  };
-  for (const Vec3d& normal : solid.normals) try_axis(normal);
-  for (int i = 0; i < 3; ++i) {
-    Vec3d axis(0.0);
-    axis[i] = 1;
-    try_axis(axis);
-    for (const Vec3d& edge : solid.edges)
-      if (const Vec3d across = glm::cross(edge, axis); glm::length(across) > 1e-3)
-        try_axis(glm::normalize(across));
-  }
-  return least;
-}
-
-// What stops boxes: the texture of a brush decides.
-bool stops_boxes(const formats::MapBrush& brush) {
-  return std::none_of(brush.sides.begin(), brush.sides.end(), [](const formats::MapSide& side) {
-    return side.texture.starts_with("*") || base::to_lower(side.texture) == "origin" ||
-           base::to_lower(side.texture).starts_with("hint");
-  });
-}
-
-std::vector<Solid> solids_of_world(const formats::Map& map) {
-  std::vector<Solid> solids;
-  for (const formats::MapEntity& entity : map.entities) {
-    const std::string_view name = entity.fields.classname();
-    if (name != "worldspawn" && name != "func_group" && name != "func_detail" && name != "func_detail_wall" &&
-        name != "func_detail_fence")
-      continue;
-    for (const formats::MapBrush& brush : entity.brushes)
-      if (stops_boxes(brush)) solids.push_back(solid_of(brush));
-  }
-  return solids;
-}
 
 constexpr std::array<std::pair<world::Hull, HullBox>, 2> kHulls = {
     {{world::Hull::kPlayer, {{-16, -16, -24}, {16, 16, 32}}},

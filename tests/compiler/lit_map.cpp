@@ -15,6 +15,7 @@ class Unwatched : public compiler::CompileWatcher {
  public:
   void begin_stage(const char*) override {}
   bool progress(std::size_t, std::size_t) override { return true; }
+  void save(base::Bytes) override {}
 };
 
 }  // namespace
@@ -25,10 +26,11 @@ std::shared_ptr<const world::Level> lit_map(const std::string& text, const LitMa
   how.light = options.light;
   Unwatched watcher;
   compiler::Warnings warnings;
-  auto compiled =
-      compiler::compile_level(map_of(text), {}, options.palette, how, jobs, watcher, warnings).value();
-  CHECK(!compiled.leak);
-  return world::make_level(std::move(compiled.bsp), "test map").value();
+  compiler::Build build;
+  const compiler::CompileReport report =
+      compiler::compile_level(map_of(text), {}, options.palette, how, jobs, watcher, build, warnings).value();
+  CHECK(!report.leak);
+  return world::make_level(std::move(build.bsp), "test map").value();
 }
 
 math::Vec3d shown_light(const world::Level& level, const world::Face& face, const math::Vec3d& place,

@@ -3,11 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "formats/bsp_validate.h"
+#include "compiler/drafts.h"
 #include "formats/entities.h"
 #include "support/random.h"
 #include "support/room_map.h"
-#include "world/trace.h"
 
 namespace temblor::test {
 namespace {
@@ -15,44 +14,8 @@ namespace {
 using compiler::DraftResult;
 using math::Vec3d;
 
-constexpr Vec3d kMins(-128, -128, 0), kMaxs(128, 128, 128);
-
-// What its reader would say of the level; textures are only named so far.
-std::string fault_of(const DraftResult& result) {
-  formats::Bsp bsp = result.draft.bsp;
-  for (formats::BspMiptex& texture : bsp.miptexes) texture.name.clear();
-  const auto fault = formats::find_fault(bsp);
-  return fault ? fault->reason : "";
-}
-
-math::Vec2d any_size(std::string_view) {
-  return {64, 64};
-}
-
-DraftResult draft_of(const std::string& text, const compiler::DraftOptions& options = {}, int threads = 1) {
-  base::Jobs jobs(threads);
-  compiler::Warnings warnings;
-  return compiler::make_draft(
-             map_of(text), [](std::string_view name) { return any_size(name); }, options, jobs, warnings)
-      .value();
-}
-
-std::string room(const std::string& more_brushes = {}) {
-  return entity_text("worldspawn", "\"wad\" \"x.wad\"", walls_text(kMins, kMaxs, "wall") + more_brushes) +
-         point_text("info_player_start", {0, 0, 32});
-}
-
-std::shared_ptr<const world::Level> level_of(const DraftResult& result) {
-  return world::make_level(result.draft.bsp, "room").value();
-}
-
-world::Contents contents_at(const DraftResult& result, const math::Vec3& point,
-                            world::Hull hull = world::Hull::kPoint) {
-  return world::hull_contents(*level_of(result), world::ModelIndex{0}, hull, point);
-}
-
 TEST(MakeDraft, RoomIsOneLeafAndSixFaces) {
-  const DraftResult result = draft_of(room());
+  const DraftResult result = draft_of(room_text());
   EXPECT_FALSE(result.leak);
   const formats::Bsp& bsp = result.draft.bsp;
   EXPECT_EQ(fault_of(result), "");
@@ -65,7 +28,7 @@ TEST(MakeDraft, RoomIsOneLeafAndSixFaces) {
 
 // Hull 1 is 32 wide and 24 below, 32 above its origin: so much nearer it comes to each wall.
 TEST(MakeDraft, ClipHullsKeepBoxesOffTheWalls) {
-  const DraftResult result = draft_of(room());
+  const DraftResult result = draft_of(room_text());
   for (const auto& [hull, side, below, above] :
        {std::tuple(world::Hull::kPlayer, 16.0f, 24.0f, 32.0f), {world::Hull::kLarge, 32.0f, 24.0f, 64.0f}}) {
     const math::Vec3 middle(0, 0, 40);
@@ -90,7 +53,7 @@ TEST(MakeDraft, WhatFillsALeafGoesByItsBrushes) {
                         Case{"*lava1", world::Contents::kLava}, Case{"sky1", world::Contents::kSky},
                         Case{"stone", world::Contents::kSolid}, Case{"clip", world::Contents::kEmpty},
                         Case{"hint", world::Contents::kEmpty}}) {
-    const DraftResult result = draft_of(room(box_text(mins, maxs, c.texture)));
+    const DraftResult result = draft_of(room_text(box_text(mins, maxs, c.texture)));
     EXPECT_EQ(contents_at(result, {0, 0, 24}), c.contents) << c.texture;
     EXPECT_EQ(contents_at(result, {0, 0, 100}), world::Contents::kEmpty) << c.texture;
     const bool blocks = c.texture == "stone" || c.texture == "clip" || c.texture == "sky1";
@@ -100,15 +63,15 @@ TEST(MakeDraft, WhatFillsALeafGoesByItsBrushes) {
 }
 
 TEST(MakeDraft, SolidWinsOverWaterWhereTheyOverlap) {
-  const DraftResult result = draft_of(room(box_text({-64, -64, 0}, {64, 64, 48}, "*water1") +
-                                           box_text({-16, -16, 0}, {16, 16, 64}, "stone")));
+  const DraftResult result = draft_of(room_text(box_text({-64, -64, 0}, {64, 64, 48}, "*water1") +
+                                                box_text({-16, -16, 0}, {16, 16, 64}, "stone")));
   EXPECT_EQ(contents_at(result, {0, 0, 24}), world::Contents::kSolid);
   EXPECT_EQ(contents_at(result, {40, 0, 24}), world::Contents::kWater);
 }
 
 // A liquid's surface is drawn for those above and for those below.
 TEST(MakeDraft, WaterHasFacesBothWays) {
-  const DraftResult result = draft_of(room(box_text({-128, -128, 0}, {128, 128, 48}, "*water1")));
+  const DraftResult result = draft_of(room_text(box_text({-128, -128, 0}, {128, 128, 48}, "*water1")));
   int up = 0, down = 0;
   for (const formats::BspFace& face : result.draft.bsp.faces) {
     const auto& texinfo = result.draft.bsp.texinfos[face.texinfo];
@@ -121,7 +84,7 @@ TEST(MakeDraft, WaterHasFacesBothWays) {
 }
 
 TEST(MakeDraft, HoleInTheWallIsALeakWithAWay) {
-  std::string walls = walls_text(kMins, kMaxs, "wall");
+  std::string walls = walls_text(kRoomMins, kRoomMaxs, "wall");
   const std::size_t first_end = walls.find("}\n") + 2;
   const std::string text =
       entity_text("worldspawn", "", walls.substr(first_end)) + point_text("info_player_start", {0, 0, 32});
@@ -135,7 +98,7 @@ TEST(MakeDraft, HoleInTheWallIsALeakWithAWay) {
 
 TEST(MakeDraft, BrushEntitiesAreModels) {
   const std::string text =
-      room() + entity_text("func_door", "\"angle\" \"90\"", box_text({0, 0, 0}, {32, 8, 64}, "door")) +
+      room_text() + entity_text("func_door", "\"angle\" \"90\"", box_text({0, 0, 0}, {32, 8, 64}, "door")) +
       entity_text("func_wall", "", box_text({64, 0, 0}, {96, 8, 64}, "wall"));
   const DraftResult result = draft_of(text);
   ASSERT_EQ(result.draft.bsp.models.size(), 3u);
@@ -148,9 +111,10 @@ TEST(MakeDraft, BrushEntitiesAreModels) {
 }
 
 TEST(MakeDraft, OriginBrushIsWhatAnEntityTurnsAbout) {
-  const DraftResult result = draft_of(room() + entity_text("func_rotate_door", "",
-                                                           box_text({32, 0, 0}, {64, 8, 64}, "door") +
-                                                               box_text({28, 0, 28}, {36, 8, 36}, "origin")));
+  const DraftResult result =
+      draft_of(room_text() + entity_text("func_rotate_door", "",
+                                         box_text({32, 0, 0}, {64, 8, 64}, "door") +
+                                             box_text({28, 0, 28}, {36, 8, 36}, "origin")));
   const formats::BspModel& door = result.draft.bsp.models[1];
   EXPECT_EQ(door.mins, math::Vec3(0, -4, -32));
   EXPECT_EQ(door.maxs, math::Vec3(32, 4, 32));
@@ -160,8 +124,8 @@ TEST(MakeDraft, OriginBrushIsWhatAnEntityTurnsAbout) {
 
 TEST(MakeDraft, DetailDividesNoClusters) {
   const std::string pillar = box_text({-16, -16, 0}, {16, 16, 128}, "stone");
-  const DraftResult structural = draft_of(room(pillar));
-  const DraftResult detail = draft_of(room() + entity_text("func_detail", "", pillar));
+  const DraftResult structural = draft_of(room_text(pillar));
+  const DraftResult detail = draft_of(room_text() + entity_text("func_detail", "", pillar));
   EXPECT_EQ(structural.draft.bsp.leafs.size(), detail.draft.bsp.leafs.size());
   EXPECT_GT(structural.draft.portals.cluster_count, 1u);
   EXPECT_EQ(detail.draft.portals.cluster_count, 1u);
@@ -169,53 +133,28 @@ TEST(MakeDraft, DetailDividesNoClusters) {
 }
 
 TEST(MakeDraft, WaterMayBeOpaqueToVisibility) {
-  const std::string text = room(box_text({-128, -128, 0}, {128, 128, 48}, "*water1"));
+  const std::string text = room_text(box_text({-128, -128, 0}, {128, 128, 48}, "*water1"));
   EXPECT_EQ(draft_of(text).draft.portals.portals.size(), 1u);
   EXPECT_EQ(draft_of(text, {.water_is_transparent = false}).draft.portals.portals.size(), 0u);
 }
 
-// Area of the faces with a texture that look up at a height.
-double area_looking_up(const DraftResult& result, std::string_view texture, float height) {
-  const formats::Bsp& bsp = result.draft.bsp;
-  double area = 0;
-  for (const formats::BspFace& face : bsp.faces) {
-    const formats::BspPlane& plane = bsp.planes[face.plane];
-    const auto miptex = static_cast<std::size_t>(bsp.texinfos[face.texinfo].miptex);
-    if (face.side != 0 || plane.normal.z != 1 || plane.distance != height ||
-        bsp.miptexes[miptex].name != texture)
-      continue;
-    std::vector<Vec3d> corners;
-    for (std::uint32_t k = 0; k < face.surfedge_count; ++k) {
-      const std::int32_t edge = bsp.surfedges[face.first_surfedge + k];
-      const auto& ends = bsp.edges[static_cast<std::size_t>(std::abs(edge))].vertices;
-      corners.emplace_back(bsp.vertices[ends[edge < 0 ? 1 : 0]]);
-    }
-    Vec3d sum(0.0);
-    for (std::size_t k = 2; k < corners.size(); ++k)
-      sum += glm::cross(corners[k - 1] - corners[0], corners[k] - corners[0]);
-    area += glm::length(sum) / 2;
-  }
-  return area;
-}
-
-constexpr double kFloorArea = 256 * 256;
-
 // Its holes show the floor that it stands on.
 TEST(MakeDraft, FenceIsSolidAndHidesNothing) {
   const std::string block = box_text({-32, -32, 0}, {32, 32, 64}, "{grate");
-  const DraftResult result = draft_of(room() + entity_text("func_detail_fence", "", block));
+  const DraftResult result = draft_of(room_text() + entity_text("func_detail_fence", "", block));
   EXPECT_EQ(contents_at(result, {0, 0, 32}), world::Contents::kSolid);
   EXPECT_EQ(contents_at(result, {0, 0, 80}, world::Hull::kPlayer), world::Contents::kSolid);
   EXPECT_DOUBLE_EQ(area_looking_up(result, "{grate", 64), 64 * 64);
   EXPECT_DOUBLE_EQ(area_looking_up(result, "wall", 0), kFloorArea);
-  const DraftResult solid = draft_of(room() + entity_text("func_detail", "", block));
+  const DraftResult solid = draft_of(room_text() + entity_text("func_detail", "", block));
   EXPECT_DOUBLE_EQ(area_looking_up(solid, "wall", 0), kFloorArea - 64 * 64)
       << "what nobody can see is left out";
 }
 
 TEST(MakeDraft, IllusionaryIsDrawnButNotThere) {
-  const DraftResult result = draft_of(
-      room() + entity_text("func_detail_illusionary", "", box_text({-32, -32, 0}, {32, 32, 64}, "bush")));
+  const DraftResult result =
+      draft_of(room_text() +
+               entity_text("func_detail_illusionary", "", box_text({-32, -32, 0}, {32, 32, 64}, "bush")));
   EXPECT_EQ(contents_at(result, {0, 0, 32}), world::Contents::kEmpty);
   EXPECT_EQ(contents_at(result, {0, 0, 32}, world::Hull::kPlayer), world::Contents::kEmpty);
   EXPECT_DOUBLE_EQ(area_looking_up(result, "bush", 64), 64 * 64);
@@ -225,7 +164,7 @@ TEST(MakeDraft, IllusionaryIsDrawnButNotThere) {
 TEST(MakeDraft, LaterBrushShowsWhereTwoOverlap) {
   const std::string early = box_text({-64, -64, 0}, {64, 64, 32}, "early");
   const std::string late = box_text({0, -64, 0}, {96, 64, 32}, "late");
-  const DraftResult result = draft_of(room(early + late));
+  const DraftResult result = draft_of(room_text(early + late));
   EXPECT_DOUBLE_EQ(area_looking_up(result, "early", 32), 64 * 128);
   EXPECT_DOUBLE_EQ(area_looking_up(result, "late", 32), 96 * 128);
 }
@@ -233,13 +172,13 @@ TEST(MakeDraft, LaterBrushShowsWhereTwoOverlap) {
 // A hint brush's sides cut the room and leave nothing else behind; its hintskip sides do not even cut.
 TEST(MakeDraft, HintsCutAndNothingElse) {
   std::string hint = box_text({-128, -128, 64}, {128, 128, 128}, "hintskip");
-  const DraftResult without = draft_of(room());
-  const DraftResult skipped = draft_of(room(hint));
+  const DraftResult without = draft_of(room_text());
+  const DraftResult skipped = draft_of(room_text(hint));
   EXPECT_EQ(skipped.draft.bsp.leafs.size(), without.draft.bsp.leafs.size());
   hint.replace(hint.find("hintskip"), 8, "hint");  // the side of the least x, along the wall
   for (std::size_t at = hint.rfind("hintskip"); at != std::string::npos; at = hint.rfind("hintskip"))
     hint.replace(at, 8, "hint");
-  const DraftResult cut = draft_of(room(hint));
+  const DraftResult cut = draft_of(room_text(hint));
   EXPECT_EQ(cut.draft.bsp.leafs.size(), without.draft.bsp.leafs.size() + 1);
   EXPECT_EQ(cut.draft.portals.cluster_count, 2u);
   ASSERT_EQ(cut.draft.portals.portals.size(), 1u);
@@ -249,7 +188,7 @@ TEST(MakeDraft, HintsCutAndNothingElse) {
 }
 
 TEST(MakeDraft, IsTheSameForAnyThreads) {
-  std::string text = room();
+  std::string text = room_text();
   Random random(3);
   for (int i = 0; i < 12; ++i) {
     const Vec3d at(random.uniform(-100, 60), random.uniform(-100, 60), random.uniform(0, 60));
@@ -264,7 +203,7 @@ TEST(MakeDraft, IsTheSameForAnyThreads) {
 }
 
 TEST(MakeDraft, BadBrushesAreWarnedOfAndLeftOut) {
-  const std::string good = walls_text(kMins, kMaxs, "wall");
+  const std::string good = walls_text(kRoomMins, kRoomMaxs, "wall");
   struct Case {
     const char* brush;
     const char* kind;
@@ -276,13 +215,12 @@ TEST(MakeDraft, BadBrushesAreWarnedOfAndLeftOut) {
       {"{\n( 0 0 0 ) ( 0 0 0 ) ( 0 0 1 ) a 0 0 0 1 1\n}\n", "side without area"},
   };
   for (const Case& c : cases) {
-    base::Jobs jobs(1);
     compiler::Warnings warnings;
-    const auto result = compiler::make_draft(
-        map_of(entity_text("worldspawn", "", good + c.brush) + point_text("light", {0, 0, 32})),
-        [](std::string_view name) { return any_size(name); }, {}, jobs, warnings);
+    const auto result = try_draft_of(
+        entity_text("worldspawn", "", good + c.brush) + point_text("info_player_start", {0, 0, 32}),
+        warnings);
     ASSERT_TRUE(result.ok());
-    EXPECT_EQ(result.value().draft.bsp.faces.size(), draft_of(room()).draft.bsp.faces.size());
+    EXPECT_EQ(result.value().draft.bsp.faces.size(), draft_of(room_text()).draft.bsp.faces.size());
     ASSERT_FALSE(warnings.empty());
     EXPECT_THAT(warnings.back().kind, ::testing::HasSubstr("brush without volume"));
     EXPECT_THAT(warnings.front().kind, ::testing::HasSubstr(c.kind));
@@ -293,11 +231,8 @@ TEST(MakeDraft, BadBrushesAreWarnedOfAndLeftOut) {
 TEST(MakeDraft, MapsWithoutAWorldAreErrors) {
   for (const std::string& text :
        {std::string{}, point_text("light", {0, 0, 0}), entity_text("worldspawn", "")}) {
-    base::Jobs jobs(1);
     compiler::Warnings warnings;
-    const auto result = compiler::make_draft(
-        map_of(text), [](std::string_view name) { return any_size(name); }, {}, jobs, warnings);
-    EXPECT_FALSE(result.ok());
+    EXPECT_FALSE(try_draft_of(text, warnings).ok());
   }
 }
 

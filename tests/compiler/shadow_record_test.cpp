@@ -70,9 +70,8 @@ TEST(ShadowRecord, AnswersWhatWasAskedAndNothingElse) {
       std::vector<std::uint32_t> fewer = question.luxels;
       fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(random.below(fewer.size())));
       EXPECT_FALSE(reader.find({question.light, fewer, question.rough}));
-      const bool next_is_known = std::any_of(asked.begin(), asked.end(), [&](const Asked& other) {
-        return other.light == question.light + 1;
-      });
+      const bool next_is_known = std::any_of(
+          asked.begin(), asked.end(), [&](const Asked& other) { return other.light == question.light + 1; });
       if (next_is_known) continue;
       EXPECT_FALSE(reader.find({question.light + 1, question.luxels, question.rough}));
     }

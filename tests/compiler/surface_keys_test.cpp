@@ -58,16 +58,20 @@ TEST(SurfaceKeys, TheWorldCastsShadowsAndDoorsOnlyWhenAsked) {
 }
 
 TEST(SurfaceKeys, ShadowsMayFallOnSomethingOnly) {
-  const auto receivers = [](std::vector<std::pair<std::string, std::string>> pairs) {
+  struct Shadow {
+    bool cast, on_own_model_only, on_world_only;
+    bool operator==(const Shadow&) const = default;
+  };
+  const auto shadow = [](std::vector<std::pair<std::string, std::string>> pairs) {
     pairs.insert(pairs.begin(), {"classname", "func_wall"});
     const compiler::SurfaceKeys keys = compiler::surface_keys_of(entity(std::move(pairs)));
-    return std::pair(keys.casts_shadow, keys.shadow_receivers);
+    return Shadow{keys.casts_shadow, keys.shadows_own_model_only, keys.shadows_world_only};
   };
-  using compiler::ShadowReceivers;
-  EXPECT_EQ(receivers({{"_shadowself", "1"}}), std::pair(true, ShadowReceivers::kOwnModel));
-  EXPECT_EQ(receivers({{"_shadowworldonly", "1"}}), std::pair(true, ShadowReceivers::kWorld));
-  EXPECT_EQ(receivers({{"_shadow", "1"}, {"_shadowself", "1"}}), std::pair(true, ShadowReceivers::kAll));
-  EXPECT_EQ(receivers({{"_shadowself", "-1"}}), std::pair(false, ShadowReceivers::kAll));
+  EXPECT_EQ(shadow({{"_shadowself", "1"}}), (Shadow{true, true, false}));
+  EXPECT_EQ(shadow({{"_shadowworldonly", "1"}}), (Shadow{true, false, true}));
+  EXPECT_EQ(shadow({{"_shadowself", "1"}, {"_shadowworldonly", "1"}}), (Shadow{true, true, false}));
+  EXPECT_EQ(shadow({{"_shadow", "1"}, {"_shadowself", "1"}}), (Shadow{true, false, false}));
+  EXPECT_EQ(shadow({{"_shadowself", "-1"}}), (Shadow{false, false, false}));
 }
 
 TEST(SurfaceKeys, FacesOfAModelHaveItsEntitysKeys) {

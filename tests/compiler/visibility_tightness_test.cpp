@@ -1,52 +1,27 @@
 // How much is drawn for nothing: the area of faces that our visibility lets through, beside the finished
 // level's.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <string>
 #include <vector>
 
+#include "compiler/compiled_maps.h"
 #include "compiler/sight_lines.h"
 #include "compiler/tree_portals.h"
 #include "compiler/visibility.h"
 #include "compiler/visibility_lump.h"
 #include "support/effort.h"
 #include "support/game_data.h"
+#include "support/seen_area.h"
 #include "world/visibility.h"
 
 namespace temblor::compiler {
 namespace {
 
-std::vector<double> areas_of_faces(const world::Level& level) {
-  std::vector<double> areas;
-  for (const world::Face& face : level.faces) {
-    const auto corner = [&](std::uint32_t i) {
-      return math::Vec3d(level.vertices[level.surfedge_start(face.first_surfedge + i)]);
-    };
-    math::Vec3d twice_area{0.0};
-    for (std::uint32_t i = 2; i < face.surfedge_count; ++i)
-      twice_area += glm::cross(corner(i - 1) - corner(0), corner(i) - corner(0));
-    areas.push_back(glm::length(twice_area) / 2);
-  }
-  return areas;
-}
-
-// Of the faces of all leafs that the leaf sees, each once.
-double visible_area(const world::Level& level, world::LeafIndex from, const std::vector<double>& areas) {
-  std::vector<std::uint8_t> row;
-  world::decompress_pvs(level, from, row);
-  std::vector<bool> counted(areas.size(), false);
-  double sum = 0;
-  for (std::size_t i = 1; i < level.leafs.size(); ++i) {
-    if (!world::pvs_has(row, base::to_index<world::LeafIndex>(i))) continue;
-    const world::Leaf& leaf = level.leafs[i];
-    for (std::uint32_t k = 0; k < leaf.marked_face_count; ++k) {
-      const std::size_t face = base::to_size(level.marked_faces[leaf.first_marked_face + k]);
-      if (!counted[face]) sum += areas[face];
-      counted[face] = true;
-    }
-  }
-  return sum;
-}
+using test::areas_of_faces;
+using test::visible_area;
 
 TEST(VisibilityTightness, LetsThroughNoMoreThanFinishedLevelsDo) {
   DATA_FOLDER_OR_SKIP(folder);
@@ -78,6 +53,60 @@ TEST(VisibilityTightness, LetsThroughNoMoreThanFinishedLevelsDo) {
     RecordProperty(name, std::to_string(our_area / their_area));
     EXPECT_LE(our_area, 1.05 * their_area) << name;
     EXPECT_GT(our_area, 0.5 * their_area) << name << ": so little that something must be missing";
+  }
+}
+
+// Leafs and faces are those of our own tree here, so only areas can be compared.
+TEST(VisibilityTightness, CompiledLevelsDrawNoMoreThanFinishedOnes) {
+  DATA_FOLDER_OR_SKIP(folder);
+  CompileOptions options;
+  options.lighting = false;
+  for (const std::string name : test::stock_maps()) {
+    if (name.starts_with("b_")) continue;  // nothing is inside
+    const formats::Bsp finished = finished_level(folder, name);
+    const auto ours =
+        world::make_level(test::compile_stock_map(folder, name, options).level.bsp, name).value();
+    const auto theirs = world::make_level(finished, name).value();
+    const std::vector<double> our_areas = areas_of_faces(*ours), their_areas = areas_of_faces(*theirs);
+    test::Random random(1);
+    double our_area = 0, their_area = 0;
+    for (int i = 0; i < test::effort(1000, 30); ++i) {
+      const auto point = random_open_point(finished, random);
+      ASSERT_TRUE(point);
+      const math::Vec3 at(*point);
+      our_area += visible_area(*ours, world::find_leaf(*ours, at), our_areas);
+      their_area += visible_area(*theirs, world::find_leaf(*theirs, at), their_areas);
+    }
+    fmt::print("{:<8} area seen, ours / finished level's: {:.3f}\n", name, our_area / their_area);
+    EXPECT_LE(our_area, 1.05 * their_area) << name;
+    EXPECT_GT(our_area, 0.5 * their_area) << name << ": so little that something must be missing";
+  }
+}
+
+// A leaf's row by the full search and by --fast: in the same tree, as light and time do not come into it.
+TEST(VisibilityTightness, FullVisibilityIsPartOfFastOne) {
+  DATA_FOLDER_OR_SKIP(folder);
+  CompileOptions full, fast;
+  full.lighting = fast.lighting = false;
+  fast.fast_visibility = true;
+  for (const std::string name : test::stock_maps()) {
+    const auto narrow =
+                   world::make_level(test::compile_stock_map(folder, name, full).level.bsp, name).value(),
+               wide = world::make_level(test::compile_stock_map(folder, name, fast).level.bsp, name).value();
+    ASSERT_EQ(narrow->leafs.size(), wide->leafs.size());
+    std::vector<std::uint8_t> seen, roughly_seen;
+    std::size_t leafs_seen = 0, leafs_roughly_seen = 0;
+    for (std::uint32_t i = 1; i <= narrow->visible_leaf_count; ++i) {
+      world::decompress_pvs(*narrow, world::LeafIndex{i}, seen);
+      world::decompress_pvs(*wide, world::LeafIndex{i}, roughly_seen);
+      for (std::size_t k = 0; k < seen.size(); ++k) {
+        ASSERT_EQ(seen[k] & ~roughly_seen[k], 0) << name << ", leaf " << i << " sees more than by --fast";
+        leafs_seen += static_cast<std::size_t>(std::popcount(seen[k]));
+        leafs_roughly_seen += static_cast<std::size_t>(std::popcount(roughly_seen[k]));
+      }
+    }
+    const bool has_rooms = name == "lq_e0m1";
+    EXPECT_TRUE(!has_rooms || leafs_seen < leafs_roughly_seen) << name;
   }
 }
 

@@ -11,6 +11,8 @@ namespace {
 // Corners this near to whole units are meant to be there.
 constexpr double kNearWhole = 0.002;
 
+constexpr const char* kNoVolume = "brush without volume or end, or more than 2^20 units away";
+
 void snap(Winding& io_winding) {
   for (math::Vec3d& point : io_winding)
     for (int axis = 0; axis < 3; ++axis) {
@@ -66,7 +68,7 @@ std::optional<BrushSolid> make_solid(const formats::MapBrush& brush, const Brush
     solid.side_of.push_back(i);
   }
   if (solid.sides.size() < 4 || !make_windings(solid.sides, io_planes, solid.box)) {
-    io_warnings.push_back({"brush without volume, or without an end", describe(place)});
+    io_warnings.push_back({kNoVolume, describe(place)});
     return std::nullopt;
   }
   std::size_t kept = 0;
@@ -81,7 +83,7 @@ std::optional<BrushSolid> make_solid(const formats::MapBrush& brush, const Brush
   solid.sides.resize(kept);
   solid.side_of.resize(kept);
   if (kept < 4) {
-    io_warnings.push_back({"brush without volume, or without an end", describe(place)});
+    io_warnings.push_back({kNoVolume, describe(place)});
     return std::nullopt;
   }
   return solid;

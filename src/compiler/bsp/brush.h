@@ -19,12 +19,14 @@ namespace temblor::compiler {
 enum class Fill : std::uint8_t {
   kEmpty,        // hint brushes, and no brush at all
   kIllusionary,  // drawn, but nothing to stand on
+  kVisBlocker,   // the same, and sight ends at it
   kWater,
   kSlime,
   kLava,
   kFence,  // solid, but seen through
   kSky,
-  kDetail,  // solid, but neither seals nor hides
+  kDetailWall,  // as kDetail, but cuts no faces of others
+  kDetail,      // solid, but neither seals nor hides
   kSolid,
 };
 constexpr bool is_liquid(Fill fill) {
@@ -32,7 +34,7 @@ constexpr bool is_liquid(Fill fill) {
 }
 // Nobody stands in it, and no leaf is made of it.
 constexpr bool is_blocked(Fill fill) {
-  return fill == Fill::kFence || fill == Fill::kDetail || fill == Fill::kSolid;
+  return fill == Fill::kFence || fill == Fill::kDetailWall || fill == Fill::kDetail || fill == Fill::kSolid;
 }
 // What sight and a flood from outside end at.
 constexpr bool is_opaque(Fill fill) {
@@ -46,16 +48,24 @@ struct BrushSide {
   // What is drawn on it, as whoever makes faces numbers it; kNoSurface: nothing.
   std::uint32_t surface = kNoSurface;
   bool splits = true;  // false: no node is made for it (bevels, hint brushes' other sides)
+  bool is_seen_from_inside = false;
   Winding winding{};
 };
+
+// Bits of Brush::hulls: what is drawn and stops points; what stops players; what stops large monsters.
+constexpr std::uint8_t kDrawnHull = 1, kAllHulls = 7;
+constexpr std::uint8_t hull_bit(std::size_t hull) {
+  return static_cast<std::uint8_t>(1u << hull);
+}
 
 struct Brush {
   std::vector<BrushSide> sides;
   Box box;
   Fill fill = Fill::kSolid;
-  bool is_detail = false;  // neither seals nor bounds what is seen together
-  bool clips = true;       // stops boxes
-  bool is_drawn = true;    // false: clip brushes, which points pass
+  bool is_detail = false;          // neither seals nor bounds what is seen together
+  bool keeps_inner_faces = false;  // where another one of its fill touches it or reaches into it
+  std::uint8_t hulls = kAllHulls;
+  std::int32_t chop_order = 0;  // of two alike, the one with the higher shows
 };
 
 // Where a brush stands in the text, for warnings.

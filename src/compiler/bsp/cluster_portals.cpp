@@ -57,6 +57,7 @@ class Coarsener {
 
 bool is_open(Fill a, Fill b, bool water_is_transparent) {
   if (is_opaque(a) || is_opaque(b)) return false;
+  if (a != b && (a == Fill::kVisBlocker || b == Fill::kVisBlocker)) return false;
   return water_is_transparent || a == b || (!is_liquid(a) && !is_liquid(b));
 }
 

@@ -67,9 +67,12 @@ Brush expand(const Brush& brush, const HullBox& box, PlaneSet& io_planes) {
     const double distance = glm::dot(point, normal);
     if (farthest_along(brush, normal) <= distance + kOnPlane) add(normal, distance, true);
   });
-  make_windings(grown.sides, io_planes, grown.box);
-  std::erase_if(grown.sides, [](const BrushSide& side) { return side.winding.empty(); });
   return grown;
+}
+
+void add_windings(Brush& io_grown, const PlaneSet& planes) {
+  make_windings(io_grown.sides, planes, io_grown.box);
+  std::erase_if(io_grown.sides, [](const BrushSide& side) { return side.winding.empty(); });
 }
 
 }  // namespace temblor::compiler

@@ -27,6 +27,11 @@ struct TreeFace {
   std::vector<std::uint32_t> leafs;  // from which it may be seen
 };
 
+// What somebody in one leaf sees between it and a neighbour, `towards_viewer` the plane that faces them;
+// kNoSurface: nothing.
+std::uint32_t surface_between(const TreeLeaf& here, const TreeLeaf& there, PlaneIndex towards_viewer,
+                              std::span<const Brush> brushes);
+
 // One for each portal through which something is seen; of liquids, the same from inside.
 std::vector<TreeFace> make_faces(const Tree& tree, std::span<const LeafPortal> portals,
                                  std::span<const Brush> brushes);

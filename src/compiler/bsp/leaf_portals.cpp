@@ -39,7 +39,8 @@ class PortalMaker {
     for (const Plane& wall : walls_) cut_to_back(winding, wall, true);
     // From the node upwards: the nearest ancestors cut off most.
     for (std::size_t i = outsides_.size(); i-- > 0 && !winding.empty();)
-      cut_to_back(winding, planes_[outsides_[i]], true);
+      cut_to_back(winding, planes_[outsides_[i]], true,
+                  on_plane_for(plane.normal, planes_[outsides_[i]].normal));
     if (!is_tiny(winding))
       spread(node.children[0], std::move(winding), plane.normal, [&](std::uint32_t front, Winding part) {
         spread(node.children[1], std::move(part), -plane.normal, [&](std::uint32_t back, Winding piece) {
@@ -60,23 +61,26 @@ class PortalMaker {
     while (child >= 0) {
       const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
       const Plane& plane = planes_[node.plane];
-      WindingParts parts = split(winding, plane);
-      const bool lies_on = parts.front.empty() && parts.back.empty();
-      if (lies_on) {
-        child = node.children[glm::dot(inwards, plane.normal) > 0 ? 0 : 1];
-        continue;
+      const double on_plane = on_plane_for(inwards, plane.normal);
+      switch (side_of(winding, plane, on_plane)) {
+        case WindingSide::kOn:
+          child = node.children[glm::dot(inwards, plane.normal) > 0 ? 0 : 1];
+          continue;
+        case WindingSide::kFront:
+          child = node.children[0];
+          continue;
+        case WindingSide::kBack:
+          child = node.children[1];
+          continue;
+        case WindingSide::kBoth:
+          break;
       }
+      WindingParts parts = split(winding, plane, on_plane);
       const bool in_front = !is_tiny(parts.front), behind = !is_tiny(parts.back);
-      if (in_front && behind) {
-        spread(node.children[0], std::move(parts.front), inwards, found);
-        winding = std::move(parts.back);
-        child = node.children[1];
-      } else if (in_front || behind) {
-        winding = std::move(in_front ? parts.front : parts.back);
-        child = node.children[in_front ? 0 : 1];
-      } else {
-        return;
-      }
+      if (!in_front && !behind) return;
+      if (in_front && behind) spread(node.children[0], std::move(parts.front), inwards, found);
+      winding = std::move(behind ? parts.back : parts.front);
+      child = node.children[behind ? 1 : 0];
     }
     found(static_cast<std::uint32_t>(~child), std::move(winding));
   }

@@ -4,94 +4,33 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <map>
 #include <string_view>
+#include <tuple>
 
 #include "base/text.h"
+#include "compiler/bsp/brush_class.h"
+#include "compiler/bsp/level_entities.h"
+#include "compiler/bsp/region.h"
 #include "compiler/surface_keys.h"
 #include "compiler/texture_axes.h"
 
 namespace temblor::compiler {
 namespace {
 
-using base::ErrorCode;
-
-// What an entity's brushes become.
-struct BrushClass {
-  std::string_view classname;
-  Fill solid;  // of its brushes that are not liquid or sky
-  bool is_detail;
-};
-// Their brushes are the world's.
-constexpr std::array<BrushClass, 6> kWorldClasses = {{
-    {"worldspawn", Fill::kSolid, false},
-    {"func_group", Fill::kSolid, false},
-    {"func_detail", Fill::kDetail, true},
-    {"func_detail_wall", Fill::kDetail, true},
-    {"func_detail_fence", Fill::kFence, true},
-    {"func_detail_illusionary", Fill::kIllusionary, true},
-}};
-constexpr BrushClass kModelClass = {"", Fill::kSolid, false};
-
-const BrushClass* world_class(std::string_view classname) {
-  for (const BrushClass& known : kWorldClasses)
-    if (known.classname == classname) return &known;
-  return nullptr;
-}
-
-// What the name of a side's texture says of the brush.
-enum class Special { kNone, kWater, kSlime, kLava, kSky, kClip, kSkip, kHint, kHintSkip, kOrigin };
-
-Special special_of(std::string_view texture) {
-  const std::string name = base::to_lower(texture);
-  const auto begins = [&](std::string_view with) { return name.starts_with(with); };
-  if (begins("*lava")) return Special::kLava;
-  if (begins("*slime")) return Special::kSlime;
-  if (begins("*")) return Special::kWater;
-  if (begins("sky")) return Special::kSky;
-  if (name == "clip") return Special::kClip;
-  if (name == "hintskip") return Special::kHintSkip;
-  if (begins("hint")) return Special::kHint;
-  if (name == "origin") return Special::kOrigin;
-  if (name == "skip" || name == "caulk" || name == "nodraw") return Special::kSkip;
-  return Special::kNone;
-}
-
-bool is_drawn(std::string_view texture) {
-  const Special special = special_of(texture);
-  if (special == Special::kWater || special == Special::kSlime || special == Special::kLava)
-    return !base::to_lower(texture).ends_with("skip");
-  return special == Special::kNone || special == Special::kSky;
-}
-
-// The first side that says something decides; a hint brush is one with any hint.
-Special special_of(const formats::MapBrush& brush) {
-  Special found = Special::kNone;
-  for (const formats::MapSide& side : brush.sides) {
-    const Special special = special_of(side.texture);
-    if (special == Special::kHint || special == Special::kOrigin) return special;
-    if (found == Special::kNone && special != Special::kSkip && special != Special::kHintSkip)
-      found = special;
+// Lit faces are cut every 240 texels: a side must not become more than some ten thousand of them.
+bool stretch_to_fit(const Winding& winding, math::Vec3d& io_axis, double& io_offset) {
+  constexpr double kMostTexels = 240 * 128;
+  double least = 1e30, most = -1e30;
+  for (const math::Vec3d& point : winding) {
+    least = std::min(least, glm::dot(point, io_axis));
+    most = std::max(most, glm::dot(point, io_axis));
   }
-  return found;
-}
-
-Fill fill_of(Special special, const BrushClass& of_class) {
-  switch (special) {
-    case Special::kWater:
-      return Fill::kWater;
-    case Special::kSlime:
-      return Fill::kSlime;
-    case Special::kLava:
-      return Fill::kLava;
-    case Special::kSky:
-      return Fill::kSky;
-    case Special::kHint:
-      return Fill::kEmpty;
-    default:
-      return of_class.solid;
-  }
+  if (most - least <= kMostTexels) return false;
+  const double scale = kMostTexels / (most - least);
+  io_axis *= scale;
+  io_offset *= scale;
+  return true;
 }
 
 class Sorter {
@@ -104,46 +43,87 @@ class Sorter {
 
   base::Result<LevelBrushes> sort() {
     if (map_.entities.empty() || map_.entities.front().fields.classname() != "worldspawn")
-      return base::error(ErrorCode::kMalformed, "the map has no worldspawn as its first entity");
-    for (std::size_t i = 0; i < map_.entities.size(); ++i) TRY_STATUS(add_entity(i));
-    if (out_.models.front().empty())
-      return base::error(ErrorCode::kMalformed, "the world has no brush with a volume");
+      return base::malformed("the map has no worldspawn as its first entity");
+    TRY(region_, find_region(map_, warnings_));
+    for (std::size_t i = 0; i < map_.entities.size(); ++i) add_entity(i);
+    out_.is_region = region_.has_value();
+    if (region_) close_region();
+    for (std::vector<Brush>& brushes : out_.models) std::ranges::stable_sort(brushes, {}, &Brush::chop_order);
+    if (out_.models.front().empty()) return base::malformed("the world has no brush with a volume");
+    warn_without_start();
     return std::move(out_);
   }
 
  private:
-  base::Status add_entity(std::size_t number) {
+  void add_entity(std::size_t number) {
     const formats::MapEntity& entity = map_.entities[number];
-    const std::string_view classname = entity.fields.classname();
-    const BrushClass* const of_world = world_class(classname);
-    if (of_world != nullptr) {
-      std::vector<Brush> own;
-      TRY_STATUS(add_brushes(number, *of_world, math::Vec3d(0.0), own));
-      auto& world = out_.models.front();
-      world.insert(world.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
-      if (number == 0) add_fields(entity.fields, {});
-      return base::Ok{};
+    if (const BrushClass of_class = brush_class_of(entity.fields); of_class.is_world) {
+      add_brushes(number, of_class, math::Vec3d(0.0), out_.models.front());
+      add_fields(entity.fields, {number == 0, {}, {}});
+      if (number > 0 && entity.fields.classname() == "worldspawn")
+        warnings_.push_back(
+            {"a second worldspawn", fmt::format("entity {}, line {}: its brushes are taken, its keys are not",
+                                                number, entity.line)});
+    } else if (entity.brushes.empty()) {
+      add_point_entity(number);
+    } else {
+      add_brush_entity(number);
     }
-    if (entity.brushes.empty()) {
-      add_fields(entity.fields, {});
-      if (const auto origin = entity.fields.find_vec3("origin")) {
-        out_.occupants_world.push_back(math::Vec3d(*origin));
-        out_.entity_of_occupant.push_back(number);
-      }
-      return base::Ok{};
+  }
+
+  void add_point_entity(std::size_t number) {
+    const formats::Entity& fields = map_.entities[number].fields;
+    const auto origin = fields.find_vec3("origin");
+    if (origin && region_ && !region_->keeps(math::Vec3d(*origin))) {
+      ++entities_left_out_;
+      return;
     }
+    out_.entities.push_back(level_fields(fields, {}));
+    if (!origin) return;
+    out_.occupants_world.push_back(math::Vec3d(*origin));
+    out_.entity_of_occupant.push_back(number);
+  }
+
+  void add_brush_entity(std::size_t number) {
+    const formats::MapEntity& entity = map_.entities[number];
     std::vector<Brush> brushes;
     const std::optional<math::Vec3d> pivot = origin_of_brushes(entity);
-    TRY_STATUS(add_brushes(number, kModelClass, pivot.value_or(math::Vec3d(0.0)), brushes));
+    const std::size_t left_out_before = brushes_left_out_;
+    add_brushes(number, brush_class_of(entity.fields), pivot.value_or(math::Vec3d(0.0)), brushes);
     if (brushes.empty()) {
-      warnings_.push_back({"brush entity without brushes", fmt::format("entity {} ({})", number, classname)});
-      return base::Ok{};
+      add_fields(entity.fields, {});
+      if (brushes_left_out_ > left_out_before)
+        ++entities_left_out_;
+      else
+        warnings_.push_back(
+            {"brush entity without brushes",
+             fmt::format("entity {} ({})", number, base::quotable(entity.fields.classname()))});
+      return;
     }
     out_.models.push_back(std::move(brushes));
-    formats::Entity fields = entity.fields;
-    if (pivot) set_field(fields, "origin", fmt::format("{} {} {}", pivot->x, pivot->y, pivot->z));
-    add_fields(fields, fmt::format("*{}", out_.models.size() - 1));
-    return base::Ok{};
+    add_fields(entity.fields, {true, fmt::format("*{}", out_.models.size() - 1),
+                               pivot ? fmt::format("{} {} {}", pivot->x, pivot->y, pivot->z) : ""});
+  }
+
+  void close_region() {
+    constexpr std::uint32_t kNoKeys = 0;
+    const math::Vec3d origin_world(0.0);
+    for (const formats::MapBrush& wall : region_->shell())
+      if (auto solid = make_solid(wall, region_->place, origin_world, out_.planes, warnings_))
+        out_.models.front().push_back(
+            to_brush(wall, std::move(*solid), region_->place, BrushClass{}, origin_world, kNoKeys));
+    warnings_.push_back({"only a region is compiled",
+                         fmt::format("{}; left out: {} brushes, {} entities", describe(region_->place),
+                                     brushes_left_out_, entities_left_out_)});
+  }
+
+  void warn_without_start() {
+    const auto is_start = [](const formats::Entity& fields) {
+      return fields.classname() == "info_player_start";
+    };
+    if (std::ranges::any_of(out_.entities, is_start)) return;
+    warnings_.push_back({"no info_player_start", region_ ? "none is in the region: nobody can enter the level"
+                                                         : "nobody can enter the level"});
   }
 
   // The middle of its brush textured "origin", about which it turns.
@@ -158,36 +138,56 @@ class Sorter {
     return std::nullopt;
   }
 
-  base::Status add_brushes(std::size_t entity_number, const BrushClass& of_class,
-                           const math::Vec3d& origin_world, std::vector<Brush>& out) {
+  void add_brushes(std::size_t entity_number, const BrushClass& of_class, const math::Vec3d& origin_world,
+                   std::vector<Brush>& io_brushes) {
     const formats::MapEntity& entity = map_.entities[entity_number];
     const std::uint32_t keys = add_keys(entity.fields);
     for (std::size_t i = 0; i < entity.brushes.size(); ++i) {
       const formats::MapBrush& from = entity.brushes[i];
-      const BrushPlace place{entity_number, i, from.line};
-      const Special special = special_of(from);
-      if (special == Special::kOrigin) continue;
-      std::optional<BrushSolid> solid = make_solid(from, place, origin_world, out_.planes, warnings_);
-      if (!solid) continue;
-      Brush brush;
-      brush.fill = fill_of(special, of_class);
-      brush.is_detail = of_class.is_detail;
-      brush.clips = brush.fill == Fill::kSolid || brush.fill == Fill::kDetail || brush.fill == Fill::kFence ||
-                    brush.fill == Fill::kSky;
-      brush.is_drawn = special != Special::kClip;
-
-      brush.box = solid->box;
-      for (std::size_t k = 0; k < solid->sides.size(); ++k) {
-        BrushSide& side = solid->sides[k];
-        const formats::MapSide& map_side = from.sides[solid->side_of[k]];
-        if (is_drawn(map_side.texture))
-          side.surface = add_surface(map_side, place, side.plane, origin_world, keys);
-        side.splits = special != Special::kHint || special_of(map_side.texture) == Special::kHint;
-      }
-      brush.sides = std::move(solid->sides);
-      out.push_back(std::move(brush));
+      if (special_of(from) == Special::kOrigin || is_region_brush(from)) continue;
+      if (auto brush = make_brush(from, {entity_number, i, from.line}, of_class, origin_world, keys))
+        io_brushes.push_back(std::move(*brush));
     }
-    return base::Ok{};
+  }
+
+  // Nothing for one without a volume, and for one outside of the region, of which it counts.
+  std::optional<Brush> make_brush(const formats::MapBrush& from, const BrushPlace& place,
+                                  const BrushClass& of_class, const math::Vec3d& origin_world,
+                                  std::uint32_t keys) {
+    std::optional<BrushSolid> solid = make_solid(from, place, origin_world, out_.planes, warnings_);
+    if (!solid) return std::nullopt;
+    if (!region_) return to_brush(from, std::move(*solid), place, of_class, origin_world, keys);
+    const Box box_world{solid->box.mins + origin_world, solid->box.maxs + origin_world};
+    if (!region_->keeps(box_world)) {
+      ++brushes_left_out_;
+      return std::nullopt;
+    }
+    const formats::MapBrush rest = region_->cut(from, box_world);
+    Warnings told_already;
+    solid = make_solid(rest, place, origin_world, out_.planes, told_already);
+    if (!solid) return std::nullopt;
+    return to_brush(rest, std::move(*solid), place, of_class, origin_world, keys);
+  }
+
+  Brush to_brush(const formats::MapBrush& from, BrushSolid solid, const BrushPlace& place,
+                 const BrushClass& of_class, const math::Vec3d& origin_world, std::uint32_t keys) {
+    const Special special = special_of(from);
+    Brush brush;
+    brush.fill = fill_of(special, of_class);
+    brush.is_detail = of_class.is_detail;
+    brush.keeps_inner_faces = of_class.keeps_inner_faces;
+    brush.hulls = hulls_of(special, brush.fill) & of_class.hulls;
+    brush.chop_order = of_class.chop_order;
+    brush.box = solid.box;
+    for (std::size_t k = 0; k < solid.sides.size(); ++k) {
+      BrushSide& side = solid.sides[k];
+      const formats::MapSide& map_side = from.sides[solid.side_of[k]];
+      if (is_drawn(map_side.texture)) side.surface = add_surface(map_side, place, side, origin_world, keys);
+      side.is_seen_from_inside = is_liquid(brush.fill) || of_class.is_seen_from_inside;
+      side.splits = special != Special::kHint || special_of(map_side.texture) == Special::kHint;
+    }
+    brush.sides = std::move(solid.sides);
+    return brush;
   }
 
   std::uint32_t add_keys(const formats::Entity& fields) {
@@ -199,19 +199,24 @@ class Sorter {
     return static_cast<std::uint32_t>(out_.surface_keys.size() - 1);
   }
 
-  std::uint32_t add_surface(const formats::MapSide& side, const BrushPlace& place, PlaneIndex plane,
+  std::uint32_t add_surface(const formats::MapSide& from, const BrushPlace& place, const BrushSide& side,
                             const math::Vec3d& origin_world, std::uint32_t keys) {
+    const auto warn = [&](const char* kind) {
+      warnings_.push_back({kind, describe(place) + fmt::format(", side in line {}", from.line)});
+    };
     Surface surface;
-    const SideAxes found = side_axes(side.texturing, out_.planes[plane].normal, texture_size_(side.texture));
-    if (found.replaced)
-      warnings_.push_back({"texture axes that do not lie on the side",
-                           describe(place) + fmt::format(", side in line {}", side.line)});
-    // The brush was moved, and its texture with it.
+    const SideAxes found =
+        side_axes(from.texturing, out_.planes[side.plane].normal, texture_size_(from.texture));
+    if (found.replaced) warn("texture axes that do not lie on the side");
     TextureAxes axes = found.axes;
+    const bool is_lit = special_of(from.texture) == Special::kNone;
+    if (is_lit && (stretch_to_fit(side.winding, axes.s_axis, axes.s_offset) |
+                   stretch_to_fit(side.winding, axes.t_axis, axes.t_offset)))
+      warn("texture so small, or side so large, that it was stretched");
+    // The brush was moved, and its texture with it.
     axes.s_offset += glm::dot(origin_world, axes.s_axis);
     axes.t_offset += glm::dot(origin_world, axes.t_axis);
-    surface.texinfo = to_texinfo(axes, add_texture(side.texture),
-                                 special_of(side.texture) == Special::kNone ? 0 : kUnlitTexinfo);
+    surface.texinfo = to_texinfo(axes, add_texture(from.texture), is_lit ? 0 : kUnlitTexinfo);
     surface.keys = keys;
     const std::array<float, 8> key = {surface.texinfo.s_axis.x, surface.texinfo.s_axis.y,
                                       surface.texinfo.s_axis.z, surface.texinfo.s_offset,
@@ -230,29 +235,18 @@ class Sorter {
     return known->second;
   }
 
-  // What only editors and compilers read is left out.
-  void add_fields(const formats::Entity& from, const std::string& model) {
-    formats::Entity fields;
-    for (const auto& [key, value] : from.pairs) {
-      const bool is_editors = key.starts_with("_tb_") || key == "mapversion" || key == "wad";
-      const bool is_replaced = key == "model" && !model.empty();
-      if (!is_editors && !is_replaced) fields.pairs.emplace_back(key, value);
-    }
-    if (!model.empty()) fields.pairs.emplace_back("model", model);
-    out_.entities.push_back(std::move(fields));
-  }
-
-  static void set_field(formats::Entity& io_fields, const std::string& key, const std::string& value) {
-    std::erase_if(io_fields.pairs, [&](const auto& pair) { return pair.first == key; });
-    io_fields.pairs.emplace_back(key, value);
+  void add_fields(const formats::Entity& fields, BrushEntity brushes) {
+    if (brushes.is_in_level) out_.entities.push_back(level_fields(fields, brushes));
+    out_.brush_entities.push_back(std::move(brushes));
   }
 
   const formats::Map& map_;
   TextureSize texture_size_;
 
   Warnings& warnings_;
+  std::optional<Region> region_;
+  std::size_t brushes_left_out_ = 0, entities_left_out_ = 0;  // outside of the region
   LevelBrushes out_;
-
   std::map<std::string, std::int32_t> textures_;
   std::map<std::tuple<std::array<float, 8>, std::int32_t, std::uint32_t>, std::uint32_t> surfaces_;
 };

@@ -17,9 +17,10 @@ struct LevelBrushes {
   std::vector<Surface> surfaces;
   std::vector<std::string> textures;  // a texinfo's miptex is a place in it
   std::vector<SurfaceKeys> surface_keys;
-  std::vector<std::vector<Brush>> models;  // the world first
-  // What goes into the level: worldspawn first, without brushes; those with brushes name their model.
-  std::vector<formats::Entity> entities;
+  std::vector<std::vector<Brush>> models;   // the world first
+  bool is_region = false;                   // a part of the map, which lacks some of its entities
+  std::vector<formats::Entity> entities;    // what goes into the level
+  std::vector<BrushEntity> brush_entities;  // as level_entities() takes them
   // Points that must not be reached from outside, and of which entity of the map.
   std::vector<math::Vec3d> occupants_world;
   std::vector<std::size_t> entity_of_occupant;

@@ -49,21 +49,28 @@ LevelWriter::LevelWriter(const PlaneSet& planes) : planes_(planes) {
 
 std::vector<std::uint32_t> LevelWriter::add_model(const Tree& tree, std::span<const LeafPortal> portals,
                                                   std::span<const TreeFace> faces, const Box& box) {
-  ModelParts parts{tree, std::vector<Box>(tree.leafs.size()),
-                   std::vector<std::uint32_t>(tree.leafs.size(), 0),
-                   std::vector<std::pair<std::uint32_t, std::uint32_t>>(tree.nodes.size())};
+  ModelParts parts{
+      tree, std::vector<Box>(tree.leafs.size()), std::vector<std::uint32_t>(tree.leafs.size(), 0),
+      std::vector<std::pair<std::uint32_t, std::uint32_t>>(tree.nodes.size()), bsp_.leafs.size()};
   for (const LeafPortal& portal : portals)
     for (const std::uint32_t leaf : portal.leafs) parts.leaf_boxes[leaf].add(portal.winding);
   formats::BspModel model;
   model.mins = mins_of(box);
   model.maxs = maxs_of(box);
   model.first_face = static_cast<std::uint32_t>(bsp_.faces.size());
-  const std::size_t first_leaf = bsp_.leafs.size();
   add_leafs(tree.root, parts);
-  model.visible_leafs = static_cast<std::int32_t>(bsp_.leafs.size() - first_leaf);
+  model.visible_leafs = static_cast<std::int32_t>(bsp_.leafs.size() - parts.first_leaf);
   add_faces(faces, parts);
   model.face_count = static_cast<std::uint32_t>(bsp_.faces.size()) - model.first_face;
   model.head_nodes = {add_node(tree.root, parts).first, -1, -1, -1};
+  // Engines take a leaf's number here for contents, so a model that is one leaf gets a node all the same.
+  if (tree.is_leaf(tree.root)) {
+    formats::BspNode node;
+    node.plane = plane_number(PlaneIndex{0});
+    node.children = {model.head_nodes[0], model.head_nodes[0]};
+    model.head_nodes[0] = static_cast<std::int32_t>(bsp_.nodes.size());
+    bsp_.nodes.push_back(node);
+  }
   bsp_.models.push_back(model);
   return std::move(parts.leaf_numbers);
 }
@@ -93,7 +100,7 @@ void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_part
   }
   close_t_junctions(loops, vertices_);
   open_edges_.clear();  // no edge is shared by two models
-  std::vector<std::vector<std::uint32_t>> marked(bsp_.leafs.size());
+  std::vector<std::vector<std::uint32_t>> marked(bsp_.leafs.size() - io_parts.first_leaf);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const TreeFace& face = faces[i];
     const auto in_sight = [&](std::uint32_t leaf) { return io_parts.leaf_numbers[leaf] != 0; };
@@ -111,13 +118,14 @@ void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_part
     auto& [first, count] = io_parts.first_face_and_count[face.node];
     if (count++ == 0) first = index;
     for (const std::uint32_t leaf : face.leafs)
-      if (in_sight(leaf)) marked[io_parts.leaf_numbers[leaf]].push_back(index);
+      if (in_sight(leaf)) marked[io_parts.leaf_numbers[leaf] - io_parts.first_leaf].push_back(index);
   }
-  for (std::size_t leaf = 0; leaf < marked.size(); ++leaf) {
-    if (marked[leaf].empty()) continue;
-    bsp_.leafs[leaf].first_marksurface = static_cast<std::uint32_t>(bsp_.marksurfaces.size());
-    bsp_.leafs[leaf].marksurface_count = static_cast<std::uint32_t>(marked[leaf].size());
-    bsp_.marksurfaces.insert(bsp_.marksurfaces.end(), marked[leaf].begin(), marked[leaf].end());
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    if (marked[i].empty()) continue;
+    formats::BspLeaf& leaf = bsp_.leafs[io_parts.first_leaf + i];
+    leaf.first_marksurface = static_cast<std::uint32_t>(bsp_.marksurfaces.size());
+    leaf.marksurface_count = static_cast<std::uint32_t>(marked[i].size());
+    bsp_.marksurfaces.insert(bsp_.marksurfaces.end(), marked[i].begin(), marked[i].end());
   }
 }
 
@@ -189,6 +197,7 @@ std::int32_t LevelWriter::surfedge(std::uint32_t from, std::uint32_t to) {
 }
 
 formats::Bsp LevelWriter::take() && {
+  if (vertices_.points().empty()) bsp_.vertices.emplace_back();  // of edge 0, where nothing is drawn
   for (const math::Vec3d& point : vertices_.points()) bsp_.vertices.push_back(math::Vec3(point));
   return std::move(bsp_);
 }

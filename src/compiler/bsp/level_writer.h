@@ -37,6 +37,7 @@ class LevelWriter {
     std::vector<std::uint32_t> leaf_numbers;
     // By node of the tree: its faces in the level.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> first_face_and_count;
+    std::size_t first_leaf;  // of its leafs in the level
   };
   void add_leafs(std::int32_t child, ModelParts& io_parts);
   void add_faces(std::span<const TreeFace> faces, ModelParts& io_parts);

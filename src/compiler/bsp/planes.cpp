@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace temblor::compiler {
 namespace {
@@ -29,6 +30,13 @@ int dominant_axis(const math::Vec3d& normal) {
   return size.x >= least ? 0 : size.y >= least ? 1 : 2;
 }
 
+// Planes of the same kind, axial ones by axis, and of nearly the same distance have the same key.
+constexpr std::int64_t kKinds = 4;
+std::int64_t key_of(double distance, int axis) {
+  constexpr double kStepsAUnit = 8;
+  return static_cast<std::int64_t>(std::floor(distance * kStepsAUnit)) * kKinds + axis;
+}
+
 }  // namespace
 
 PlaneIndex PlaneSet::find_or_add(math::Vec3d normal, double distance) {
@@ -39,21 +47,25 @@ PlaneIndex PlaneSet::find_or_add(math::Vec3d normal, double distance) {
     normal = -normal;
     distance = -distance;
   }
-  const auto unit = static_cast<std::int64_t>(std::floor(distance));
-  for (std::int64_t near = unit - 1; near <= unit + 1; ++near) {
-    const auto [begin, end] = by_distance_.equal_range(near);
+  const int axis = normal[dominant] == 1 ? dominant : 3;
+  const std::int64_t first = key_of(distance - kSameDistance, axis),
+                     last = key_of(distance + kSameDistance, axis);
+  std::optional<PlaneIndex> found;
+  for (std::int64_t key = first; key <= last; key += kKinds) {
+    const auto [begin, end] = by_distance_.equal_range(key);
     for (auto it = begin; it != end; ++it) {
       const Plane& known = (*this)[it->second];
       if (std::abs(known.distance - distance) < kSameDistance &&
-          glm::all(glm::lessThan(glm::abs(known.normal - normal), math::Vec3d(kSameNormal))))
-        return turn ? turned(it->second) : it->second;
+          glm::all(glm::lessThan(glm::abs(known.normal - normal), math::Vec3d(kSameNormal))) &&
+          (!found || it->second < *found))
+        found = it->second;
     }
   }
+  if (found) return turn ? turned(*found) : *found;
   const auto index = static_cast<PlaneIndex>(planes_.size());
-  const int axis = normal[dominant] == 1 ? dominant : 3;
   planes_.push_back({normal, distance, axis});
   planes_.push_back({-normal, -distance, axis});
-  by_distance_.emplace(unit, index);
+  by_distance_.emplace(key_of(distance, axis), index);
   return turn ? turned(index) : index;
 }
 

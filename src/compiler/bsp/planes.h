@@ -41,7 +41,7 @@ class PlaneSet {
 
  private:
   std::vector<Plane> planes_;
-  std::unordered_multimap<std::int64_t, PlaneIndex> by_distance_;  // stored planes, by whole units
+  std::unordered_multimap<std::int64_t, PlaneIndex> by_distance_;  // stored planes
 };
 
 }  // namespace temblor::compiler

@@ -8,7 +8,8 @@ bool overlap(const Box& a, const Box& b) {
          glm::all(glm::lessThanEqual(b.mins - kOnPlane, a.maxs));
 }
 
-// The brushes, only sides splitting at which the fill changes somewhere (and hints).
+// The brushes, only sides splitting at which the fill changes somewhere, or something is seen
+// (and hints).
 std::vector<Brush> only_bounding(const Tree& tree, std::span<const LeafPortal> portals,
                                  std::span<const Brush> brushes) {
   std::vector<Brush> kept(brushes.begin(), brushes.end());
@@ -20,8 +21,10 @@ std::vector<Brush> only_bounding(const Tree& tree, std::span<const LeafPortal> p
     }
   for (const LeafPortal& portal : portals) {
     const TreeLeaf &front = tree.leafs[portal.leafs[0]], &back = tree.leafs[portal.leafs[1]];
-    if (front.fill == back.fill && front.structure == back.structure) continue;
     const PlaneIndex plane = tree.nodes[portal.node].plane;
+    const bool is_seen = surface_between(front, back, plane, brushes) != kNoSurface ||
+                         surface_between(back, front, turned(plane), brushes) != kNoSurface;
+    if (front.fill == back.fill && front.structure == back.structure && !is_seen) continue;
     Box box;
     box.add(portal.winding);
     bool found = false;
@@ -73,9 +76,16 @@ class FacePlacer {
   void find_node(const TreeFace& face, Winding winding, std::int32_t child) {
     while (child >= 0) {
       const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
-      WindingParts parts = split(winding, planes_[node.plane]);
-      const std::size_t facing = glm::dot(planes_[face.plane].normal, planes_[node.plane].normal) > 0 ? 0 : 1;
-      if (parts.front.empty() && parts.back.empty()) {
+      const Plane& plane = planes_[node.plane];
+      const math::Vec3d& outwards = planes_[face.plane].normal;
+      const double on_plane = on_plane_for(outwards, plane.normal);
+      const WindingSide side = side_of(winding, plane, on_plane);
+      if (side == WindingSide::kFront || side == WindingSide::kBack) {
+        child = node.children[side == WindingSide::kFront ? 0 : 1];
+        continue;
+      }
+      if (side == WindingSide::kOn) {
+        const std::size_t facing = glm::dot(outwards, plane.normal) > 0 ? 0 : 1;
         if (node.plane == stored(face.plane)) {
           TreeFace placed{winding, face.plane, face.surface, static_cast<std::uint32_t>(child), {}};
           find_leafs(std::move(winding), planes_[face.plane].normal, node.children[facing], placed.leafs);
@@ -85,6 +95,7 @@ class FacePlacer {
         child = node.children[facing];
         continue;
       }
+      WindingParts parts = split(winding, plane, on_plane);
       const bool in_front = !is_tiny(parts.front), behind = !is_tiny(parts.back);
       if (!in_front && !behind) return;
       if (in_front && behind) find_node(face, std::move(parts.front), node.children[0]);
@@ -98,11 +109,15 @@ class FacePlacer {
     while (child >= 0) {
       const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
       const Plane& plane = planes_[node.plane];
-      WindingParts parts = split(winding, plane);
-      if (parts.front.empty() && parts.back.empty()) {
-        child = node.children[glm::dot(outwards, plane.normal) > 0 ? 0 : 1];
+      const double on_plane = on_plane_for(outwards, plane.normal);
+      const WindingSide side = side_of(winding, plane, on_plane);
+      if (side != WindingSide::kBoth) {
+        const bool front =
+            side == WindingSide::kFront || (side == WindingSide::kOn && glm::dot(outwards, plane.normal) > 0);
+        child = node.children[front ? 0 : 1];
         continue;
       }
+      WindingParts parts = split(winding, plane, on_plane);
       const bool in_front = !is_tiny(parts.front), behind = !is_tiny(parts.back);
       if (!in_front && !behind) return;
       if (in_front && behind) find_leafs(std::move(parts.front), outwards, node.children[0], out);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -12,8 +13,11 @@ constexpr double kRoomAround = 128;  // units
 // With more brushes a middle plane is taken.
 constexpr std::size_t kMostWeighed = 96;
 
+constexpr std::uint32_t kNoNumber = std::numeric_limits<std::uint32_t>::max();
+
 struct PieceSide {
   PlaneIndex plane;
+  std::uint32_t number;  // of its plane, either way, among those of the tree's brushes; kNoNumber: cut later
   bool splits;
   Winding winding;
 };
@@ -65,49 +69,79 @@ Box box_of(const Piece& piece) {
   return box;
 }
 
-std::pair<Piece, Piece> split(const Piece& piece, PlaneIndex number, const PlaneSet& planes) {
-  const Plane& plane = planes[number];
-  std::pair<Piece, Piece> parts;
-  parts.first.brush = parts.second.brush = piece.brush;
-  parts.first.is_detail = parts.second.is_detail = piece.is_detail;
-  for (const PieceSide& side : piece.sides) {
-    WindingParts cut = split(side.winding, plane);
-    // However narrow: without it the part would have no end on that side.
-    if (!cut.front.empty()) parts.first.sides.push_back({side.plane, side.splits, std::move(cut.front)});
-    if (!cut.back.empty()) parts.second.sides.push_back({side.plane, side.splits, std::move(cut.back)});
-  }
-  Winding between = whole_plane(plane);
-  for (const PieceSide& side : piece.sides) {
-    cut_to_back(between, planes[side.plane], true);
-    if (between.empty()) break;
-  }
-  if (!between.empty()) {
-    Winding turned_round(between.rbegin(), between.rend());
-    // The front part lies behind the plane as seen from the back, and the other way round.
-    parts.first.sides.push_back({turned(number), false, std::move(turned_round)});
-    parts.second.sides.push_back({number, false, std::move(between)});
-  }
-  parts.first.box = box_of(parts.first);
-  parts.second.box = box_of(parts.second);
-  return parts;
-}
+// Reused from one cut to the next.
+struct CutScratch {
+  std::vector<WindingSide> lies;  // by side of the piece
+  Winding between;                // in the plane
+};
 
-bool has_volume(const Piece& piece) {
-  return piece.sides.size() >= 4;
+// In front of the plane and behind it. Where one of the two would have no volume, the other is the whole
+// piece, as it was.
+std::pair<Piece, Piece> split(Piece piece, PlaneIndex number, const PlaneSet& planes, CutScratch& scratch) {
+  const Plane& plane = planes[number];
+  scratch.between = whole_plane(plane);
+  for (const PieceSide& side : piece.sides) {
+    cut_to_back(scratch.between, planes[side.plane], true);
+    if (scratch.between.empty()) break;
+  }
+  const bool is_closed = !scratch.between.empty();
+  std::size_t front_count = is_closed ? 1 : 0, back_count = front_count;
+  scratch.lies.clear();
+  for (const PieceSide& side : piece.sides) {
+    const WindingSide lies = scratch.lies.emplace_back(side_of(side.winding, plane));
+    front_count += lies == WindingSide::kFront || lies == WindingSide::kBoth ? 1 : 0;
+    back_count += lies == WindingSide::kBack || lies == WindingSide::kBoth ? 1 : 0;
+  }
+  std::pair<Piece, Piece> parts;
+  auto& [front, back] = parts;
+  constexpr std::size_t kFewestSides = 4;
+  if (front_count < kFewestSides || back_count < kFewestSides) {
+    (front_count >= kFewestSides ? front : back) = std::move(piece);
+    return parts;
+  }
+  front.brush = back.brush = piece.brush;
+  front.is_detail = back.is_detail = piece.is_detail;
+  front.sides.reserve(front_count);
+  back.sides.reserve(back_count);
+  for (std::size_t i = 0; i < piece.sides.size(); ++i) {
+    PieceSide& side = piece.sides[i];
+    if (scratch.lies[i] == WindingSide::kFront) {
+      front.sides.push_back(std::move(side));
+    } else if (scratch.lies[i] == WindingSide::kBack) {
+      back.sides.push_back(std::move(side));
+    } else if (scratch.lies[i] == WindingSide::kBoth) {
+      // However narrow: without it the part would have no end on that side.
+      WindingParts cut = split(side.winding, plane);
+      front.sides.push_back({side.plane, side.number, side.splits, std::move(cut.front)});
+      back.sides.push_back({side.plane, side.number, side.splits, std::move(cut.back)});
+    }
+  }
+  if (is_closed) {
+    // The front part lies behind the plane as seen from the back, and the other way round.
+    front.sides.push_back(
+        {turned(number), kNoNumber, false, Winding(scratch.between.rbegin(), scratch.between.rend())});
+    back.sides.push_back({number, kNoNumber, false, scratch.between});
+  }
+  front.box = box_of(front);
+  back.box = box_of(back);
+  return parts;
 }
 
 class TreeBuilder {
  public:
   TreeBuilder(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover)
-      : brushes_(brushes), planes_(planes), cover_(cover), weighed_(planes.size(), 0) {}
+      : brushes_(brushes), planes_(planes), cover_(cover) {}
 
   Tree build() {
+    const std::vector<PlaneIndex> used = planes_of_brushes();
+    weighed_.assign(used.size(), 0);
     Pieces pieces;
     for (std::size_t i = 0; i < brushes_.size(); ++i) {
       const Brush& brush = brushes_[i];
       Piece piece{static_cast<std::uint32_t>(i), brush.is_detail, brush.box, {}};
       for (const BrushSide& side : brush.sides)
-        if (!side.winding.empty()) piece.sides.push_back({side.plane, side.splits, side.winding});
+        if (!side.winding.empty())
+          piece.sides.push_back({side.plane, number_in(used, side.plane), side.splits, side.winding});
       tree_.box.add(brush.box.mins);
       tree_.box.add(brush.box.maxs);
       pieces.push_back(std::move(piece));
@@ -120,6 +154,20 @@ class TreeBuilder {
   }
 
  private:
+  // In order: a map of many models has far more planes than any of them.
+  std::vector<PlaneIndex> planes_of_brushes() const {
+    std::vector<PlaneIndex> used;
+    for (const Brush& brush : brushes_)
+      for (const BrushSide& side : brush.sides) used.push_back(stored(side.plane));
+    std::ranges::sort(used);
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    return used;
+  }
+
+  static std::uint32_t number_in(std::span<const PlaneIndex> used, PlaneIndex plane) {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(used, stored(plane)) - used.begin());
+  }
+
   std::int32_t grow(Pieces pieces, const Box& box) {
     keep_cover_alone(pieces);
     bool is_detail = false;
@@ -168,13 +216,9 @@ class TreeBuilder {
           out_back.push_back(std::move(piece));
           break;
         case Where::kBoth: {
-          auto [front, back] = split(piece, number, planes_);
-          if (has_volume(front) && has_volume(back)) {
-            out_front.push_back(std::move(front));
-            out_back.push_back(std::move(back));
-          } else {
-            (has_volume(front) ? out_front : out_back).push_back(std::move(piece));
-          }
+          auto [front, back] = split(std::move(piece), number, planes_, scratch_);
+          if (!front.sides.empty()) out_front.push_back(std::move(front));
+          if (!back.sides.empty()) out_back.push_back(std::move(back));
         }
       }
     }
@@ -222,8 +266,7 @@ class TreeBuilder {
       if (piece.is_detail != detail) continue;
       for (const PieceSide& side : piece.sides) {
         const PlaneIndex plane = stored(side.plane);
-        if (!side.splits || std::exchange(weighed_[static_cast<std::uint32_t>(plane)], round_) == round_)
-          continue;
+        if (!side.splits || std::exchange(weighed_[side.number], round_) == round_) continue;
         if (found && candidate++ % step != 0) continue;
         const long cost = cost_of(plane, pieces);
         if (found && cost >= least) continue;
@@ -264,8 +307,9 @@ class TreeBuilder {
   std::span<const Brush> brushes_;
   const PlaneSet& planes_;
   Cover cover_;
-  std::vector<std::uint32_t> weighed_;  // by plane: the last round in which it was
+  std::vector<std::uint32_t> weighed_;  // by PieceSide::number: the last round in which it was
   std::uint32_t round_ = 0;
+  CutScratch scratch_;
   Tree tree_;
 };
 

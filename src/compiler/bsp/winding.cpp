@@ -23,6 +23,13 @@ math::Vec3d meet(math::Vec3d a, math::Vec3d b, double a_distance, double b_dista
 
 }  // namespace
 
+double on_plane_for(const math::Vec3d& winding_normal, const math::Vec3d& plane_normal) {
+  constexpr double kFlattest = 1e-4;  // sine of the angle: flatter ones are one plane, given twice
+  constexpr double kSteep = 0.1;
+  const double sine = glm::length(glm::cross(winding_normal, plane_normal));
+  return sine < kFlattest || sine > kSteep ? kOnPlane : kOnPlane * sine;
+}
+
 Winding whole_plane(const Plane& plane, double extent) {
   // Any direction far from the normal's.
   math::Vec3d up(0, 0, 1);
@@ -33,32 +40,39 @@ Winding whole_plane(const Plane& plane, double extent) {
   return {middle - right + up, middle + right + up, middle + right - up, middle - right - up};
 }
 
-WindingParts split(const Winding& winding, const Plane& plane, double on_plane) {
-  const std::size_t count = winding.size();
-  // Few windings have more corners; those that do are measured twice.
-  constexpr std::size_t kMost = 64;
-  std::array<double, kMost> kept;
-  const auto distance = [&](std::size_t i) { return i < kMost ? kept[i] : plane.distance_to(winding[i]); };
+WindingSide side_of(const Winding& winding, const Plane& plane, double on_plane) {
   bool any_front = false, any_back = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double d = plane.distance_to(winding[i]);
-    if (i < kMost) kept[i] = d;
+  for (const math::Vec3d& point : winding) {
+    const double d = plane.distance_to(point);
     any_front |= d > on_plane;
     any_back |= d < -on_plane;
   }
-  if (!any_front && !any_back) return {};
-  if (!any_back) return {winding, {}};
-  if (!any_front) return {{}, winding};
+  if (any_front) return any_back ? WindingSide::kBoth : WindingSide::kFront;
+  return any_back ? WindingSide::kBack : WindingSide::kOn;
+}
+
+WindingParts split(const Winding& winding, const Plane& plane, double on_plane) {
+  switch (side_of(winding, plane, on_plane)) {
+    case WindingSide::kOn:
+      return {};
+    case WindingSide::kFront:
+      return {winding, {}};
+    case WindingSide::kBack:
+      return {{}, winding};
+    case WindingSide::kBoth:
+      break;
+  }
+  const std::size_t count = winding.size();
   WindingParts parts;
   parts.front.reserve(count + 2);
   parts.back.reserve(count + 2);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t next = i + 1 < count ? i + 1 : 0;
-    const double a = distance(i), b = distance(next);
-    if (a >= -on_plane) parts.front.push_back(winding[i]);
-    if (a <= on_plane) parts.back.push_back(winding[i]);
+    const math::Vec3d &begin = winding[i], &end = winding[i + 1 < count ? i + 1 : 0];
+    const double a = plane.distance_to(begin), b = plane.distance_to(end);
+    if (a >= -on_plane) parts.front.push_back(begin);
+    if (a <= on_plane) parts.back.push_back(begin);
     if ((a > on_plane && b < -on_plane) || (a < -on_plane && b > on_plane)) {
-      const math::Vec3d point = meet(winding[i], winding[next], a, b, plane);
+      const math::Vec3d point = meet(begin, end, a, b, plane);
       parts.front.push_back(point);
       parts.back.push_back(point);
     }
@@ -67,18 +81,31 @@ WindingParts split(const Winding& winding, const Plane& plane, double on_plane) 
 }
 
 void cut_to_back(Winding& io_winding, const Plane& plane, bool keep_on, double on_plane) {
-  bool any_front = false, any_back = false;
-  for (const math::Vec3d& point : io_winding) {
-    const double d = plane.distance_to(point);
-    any_front |= d > on_plane;
-    any_back |= d < -on_plane;
-  }
-  if (!any_front && (any_back || keep_on)) return;
-  if (!any_back) {
+  const WindingSide side = side_of(io_winding, plane, on_plane);
+  if (side == WindingSide::kBack || (side == WindingSide::kOn && keep_on)) return;
+  if (side != WindingSide::kBoth) {
     io_winding.clear();
     return;
   }
-  io_winding = split(io_winding, plane, on_plane).back;
+  // Few windings have more corners; for the others no memory is asked for.
+  constexpr std::size_t kMost = 64;
+  const std::size_t count = io_winding.size();
+  if (count + 1 > kMost) {
+    io_winding = split(io_winding, plane, on_plane).back;
+    return;
+  }
+  std::array<math::Vec3d, kMost> kept;
+  std::size_t kept_count = 0;
+  double a = plane.distance_to(io_winding.front());
+  for (std::size_t i = 0; i < count; ++i) {
+    const math::Vec3d &begin = io_winding[i], &end = io_winding[i + 1 < count ? i + 1 : 0];
+    const double b = plane.distance_to(end);
+    if (a <= on_plane) kept[kept_count++] = begin;
+    if ((a > on_plane && b < -on_plane) || (a < -on_plane && b > on_plane))
+      kept[kept_count++] = meet(begin, end, a, b, plane);
+    a = b;
+  }
+  io_winding.assign(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(kept_count));
 }
 
 bool is_tiny(const Winding& winding) {

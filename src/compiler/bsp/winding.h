@@ -28,8 +28,17 @@ struct Box {
   bool is_empty() const { return mins.x > maxs.x; }
 };
 
+// How near to a plane is on it, for a winding that lies in a plane of that normal. Where two planes meet at a
+// small angle, all that is within kOnPlane of one is a wide strip of the other: taken for one side or the
+// other as a whole, it would be a gap between two faces, or drawn twice.
+double on_plane_for(const math::Vec3d& winding_normal, const math::Vec3d& plane_normal);
+
 // A square in the plane that reaches beyond `extent` in every direction.
 Winding whole_plane(const Plane& plane, double extent = kWorldExtent);
+
+// Where all of a winding lies.
+enum class WindingSide { kOn, kFront, kBack, kBoth };
+WindingSide side_of(const Winding& winding, const Plane& plane, double on_plane = kOnPlane);
 
 // What lies in front and behind; either may be empty. A winding on the plane goes to neither.
 struct WindingParts {

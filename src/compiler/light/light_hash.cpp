@@ -9,12 +9,7 @@ namespace temblor::compiler {
 namespace {
 
 std::uint64_t with_bytes(std::uint64_t hash, base::Bytes bytes) {
-  hash = base::hash_with(hash, bytes.size());
-  base::ByteReader reader(bytes);
-  while (reader.remaining() >= sizeof(std::uint64_t))
-    hash = base::hash_with(hash, reader.read<std::uint64_t>());
-  while (reader.remaining() > 0) hash = base::hash_with(hash, reader.u8());
-  return hash;
+  return base::hash_with_bytes(base::hash_with(hash, bytes.size()), bytes);
 }
 
 std::uint64_t with_vector(std::uint64_t hash, const math::Vec3& vector) {
@@ -23,15 +18,8 @@ std::uint64_t with_vector(std::uint64_t hash, const math::Vec3& vector) {
 }
 
 std::uint64_t with_keys(std::uint64_t hash, const SurfaceKeys& keys) {
-  for (const float number :
-       {keys.phong_angle_deg, keys.phong_angle_concave_deg, keys.min_light, keys.min_light_colour[0],
-        keys.min_light_colour[1], keys.min_light_colour[2], keys.light_map_scale, keys.light_alpha})
-    hash = base::hash_with(hash, base::bits_of(number));
-  for (const std::int32_t number : {keys.phong_group, static_cast<std::int32_t>(keys.shadow_receivers),
-                                    static_cast<std::int32_t>(keys.auto_min_light)})
-    hash = base::hash_with(hash, static_cast<std::uint32_t>(number));
-  for (const bool flag : {keys.casts_shadow, keys.takes_dirt, keys.takes_bounce, keys.ignores_light})
-    hash = base::hash_with(hash, flag ? 1 : 0);
+  visit_fields(keys,
+               [&](auto field) { hash = base::hash_with(hash, base::bits_of(static_cast<float>(field))); });
   return hash;
 }
 
@@ -47,8 +35,15 @@ std::uint64_t hash_of_level(const formats::Bsp& bsp, const FaceKeys& face_keys) 
 
 }  // namespace
 
-std::uint64_t hash_of_bytes(base::Bytes bytes) {
-  return with_bytes(0, bytes);
+formats::Bsp unlit(const formats::Bsp& bsp) {
+  formats::Bsp copy = bsp;
+  copy.lighting.clear();
+  copy.bspx.clear();
+  for (formats::BspFace& face : copy.faces) {
+    face.styles = {255, 255, 255, 255};
+    face.light_offset = -1;
+  }
+  return copy;
 }
 
 std::uint64_t hash_of_geometry(formats::Bsp unlit, const LitLevel& lit, const LightOptions& options) {

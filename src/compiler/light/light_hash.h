@@ -12,7 +12,9 @@
 
 namespace temblor::compiler {
 
-// `unlit`: light and what follows from it thrown away.
+// The level that light falls on: as it is, but for light and what follows from it.
+formats::Bsp unlit(const formats::Bsp& bsp);
+
 std::uint64_t hash_of_light_input(const formats::Bsp& unlit, const FaceKeys& face_keys,
                                   const LightOptions& options);
 
@@ -22,7 +24,5 @@ std::uint64_t hash_of_geometry(formats::Bsp unlit, const LitLevel& lit, const Li
 std::uint64_t hash_of_dirt(const DirtSettings& settings);
 // Of what is added up for the sky, but for dirt. `range`: LightSettings's.
 std::uint64_t hash_of_sky(std::span<const SkyBeam> beams, float range);
-
-std::uint64_t hash_of_bytes(base::Bytes bytes);
 
 }  // namespace temblor::compiler

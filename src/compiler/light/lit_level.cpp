@@ -52,6 +52,11 @@ std::vector<math::Vec3> passes_by_texel(const SurfaceKeys& keys, bool has_holes,
   return passes;
 }
 
+ShadowReceivers receivers_of(const SurfaceKeys& keys) {
+  if (keys.shadows_own_model_only) return ShadowReceivers::kOwnModel;
+  return keys.shadows_world_only ? ShadowReceivers::kWorld : ShadowReceivers::kAll;
+}
+
 SieveSurface sieve_of(const LitLevel& lit, std::size_t number,
                       const std::optional<formats::Palette>& palette) {
   const world::Level& level = *lit.level;
@@ -75,7 +80,7 @@ SieveSurface sieve_of(const LitLevel& lit, std::size_t number,
   if (has_texels && (has_holes || keys.light_alpha < 1))
     sieve.passes_by_texel = passes_by_texel(keys, has_holes, palette);
   sieve.model = lit.model_of_face[number];
-  sieve.receivers = keys.shadow_receivers;
+  sieve.receivers = receivers_of(keys);
   return sieve;
 }
 
@@ -105,7 +110,7 @@ void add_occluder(const LitLevel& lit, std::size_t number, std::uint32_t first_v
   } else if (kind == world::TextureKind::kLiquid || !keys.casts_shadow) {
     return;
   } else if (kind == world::TextureKind::kCutout || keys.light_alpha < 1 ||
-             keys.shadow_receivers != ShadowReceivers::kAll) {
+             receivers_of(keys) != ShadowReceivers::kAll) {
     const auto surface = static_cast<std::uint32_t>(io_occluders.sieve_surfaces.size());
     io_occluders.sieve_surfaces.push_back(sieve_of(lit, number, palette));
     add_fan(lit, number, first_vertex, surface, io_occluders.sieves);

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "base/result.h"
-#include "compiler/draft.h"
 #include "math/vec.h"
 
 namespace temblor::compiler {
@@ -22,6 +21,9 @@ struct OccluderTriangle {
   std::array<std::uint32_t, 3> corners{};  // into Occluders::vertices
   std::uint32_t surface = 0;               // what a hit is reported as
 };
+
+// On the faces of which models a shadow falls.
+enum class ShadowReceivers : std::uint8_t { kAll, kOwnModel, kWorld };
 
 // Lets some of the light through, or stops it for some receivers only.
 struct SieveSurface {

@@ -1,0 +1,228 @@
+// compile_bench PROGRAM: measures the map compiler on stock maps, beside the project's goals
+// (docs/performance.md), and prints Markdown. TEMBLOR_DATA names the game data; PROGRAM is `temblor`, run for
+// what takes a whole process.
+//
+// Stages are timed in this process: CPU seconds of one thread, and the wall's of one and of two in runs that
+// alternate, so that a machine that slows down slows both. All are medians.
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "compiler/compiled_maps.h"
+#include "compiler/sight_lines.h"
+#include "support/random.h"
+#include "support/seen_area.h"
+#include "world/visibility.h"
+
+namespace temblor::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kRuns = 5;
+
+struct Goals {
+  const char* map;
+  double bsp_s, visibility_s, light_s;  // CPU seconds
+  double leafs_seen_percent;            // of the existing tool
+  double fast_s;                        // 0: none
+};
+constexpr std::array<Goals, 3> kGoals = {{{"lq_e0m1", 0.5, 0.5, 7, 11.0, 1},
+                                          {"lq_e1m2", 1.2, 0.9, 1.7, 21.5, 0},
+                                          {"lqdm5", 1.0, 3.0, 11, 38.2, 0}}};
+
+double wall_now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double cpu_now_s() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+struct Seconds {
+  double wall = 0, cpu = 0;
+};
+
+// Each stage lasts until the next begins, the last one until finish().
+class StageClock : public compiler::CompileWatcher {
+ public:
+  void begin_stage(const char* name) override {
+    finish();
+    name_ = name;
+    begin_ = {wall_now_s(), cpu_now_s()};
+  }
+  bool progress(std::size_t, std::size_t) override { return true; }
+  void finish() {
+    if (!name_.empty()) stages_[name_] = {wall_now_s() - begin_.wall, cpu_now_s() - begin_.cpu};
+  }
+  const std::map<std::string, Seconds>& stages() const { return stages_; }
+
+ private:
+  std::string name_;
+  Seconds begin_;
+  std::map<std::string, Seconds> stages_;
+};
+
+struct Run {
+  compiler::CompiledLevel level;
+  std::map<std::string, Seconds> stages;
+};
+
+class Bench {
+ public:
+  Bench(const fs::path& data, const std::string& name)
+      : map_(test::stock_map(data, name)), textures_(test::stock_textures(data, map_)) {}
+
+  Run run(int threads, int extra) const {
+    base::Jobs jobs(threads);
+    compiler::CompileOptions options;
+    options.light.extra = extra;
+    compiler::Warnings warnings;
+    StageClock clock;
+    compiler::CompiledLevel level =
+        compiler::compile_level(map_, textures_.sources, textures_.palette, options, jobs, clock, warnings)
+            .value();
+    clock.finish();
+    return {std::move(level), clock.stages()};
+  }
+
+ private:
+  formats::Map map_;
+  test::StockTextures textures_;
+};
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+Seconds median_of(const std::vector<Run>& runs, const char* stage) {
+  std::vector<double> wall, cpu;
+  for (const Run& run : runs) {
+    wall.push_back(run.stages.at(stage).wall);
+    cpu.push_back(run.stages.at(stage).cpu);
+  }
+  return {median(wall), median(cpu)};
+}
+
+struct ProcessCost {
+  double wall_s = 0, peak_megabytes = 0;
+};
+
+// The whole program, from .map to .bsp. CHECKs that it succeeds.
+ProcessCost run_program(const std::string& program, std::vector<std::string> words) {
+  words.insert(words.begin(), program);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const double begin = wall_now_s();
+  std::fflush(stdout);  // else the child would print it too
+  const pid_t child = fork();
+  if (child == 0) {
+    if (std::freopen("/dev/null", "w", stdout) != nullptr) execv(arguments[0], arguments.data());
+    _exit(127);
+  }
+  int status = 0;
+  rusage usage{};
+  CHECK(child > 0 && wait4(child, &status, 0, &usage) == child && status == 0, "{} failed", program);
+  return {wall_now_s() - begin, static_cast<double>(usage.ru_maxrss) / 1024};
+}
+
+// Over 1,000 fixed points: the area that our visibility lets through, by the finished level's.
+double area_share(const fs::path& data, const std::string& name, const formats::Bsp& compiled) {
+  const formats::Bsp finished = compiler::finished_level(data, name);
+  const auto ours = world::make_level(compiled, name).value(),
+             theirs = world::make_level(finished, name).value();
+  const std::vector<double> our_areas = test::areas_of_faces(*ours),
+                            their_areas = test::areas_of_faces(*theirs);
+  test::Random random(1);
+  double our_sum = 0, their_sum = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const math::Vec3 at(compiler::random_open_point(finished, random).value());
+    our_sum += test::visible_area(*ours, world::find_leaf(*ours, at), our_areas);
+    their_sum += test::visible_area(*theirs, world::find_leaf(*theirs, at), their_areas);
+  }
+  return our_sum / their_sum;
+}
+
+void print_row(const std::string& what, const std::string& measured, const std::string& goal) {
+  fmt::print("| {} | {} | {} |\n", what, measured, goal);
+}
+
+void print_map(const std::string& program, const fs::path& data, const Goals& goals) {
+  const std::string name = goals.map;
+  const Bench bench(data, name);
+  std::vector<Run> one, two, fine;
+  for (int i = 0; i < kRuns; ++i) {
+    one.push_back(bench.run(1, 1));
+    two.push_back(bench.run(2, 1));
+    fine.push_back(bench.run(1, 4));
+  }
+  const fs::path out = fs::temp_directory_path() / fmt::format("temblor_bench_{}.bsp", getpid());
+  const auto compile = [&](std::vector<std::string> more) {
+    std::vector<std::string> words = {"--basedir", data.string(),
+                                      "compile",   (data / "mapsrc" / (name + ".map")).string(),
+                                      "--wad",     (data / "wads").string(),
+                                      "-o",        out.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(program, words);
+  };
+  const ProcessCost whole = compile({});
+  std::vector<double> fast_s;
+  for (int i = 0; i < kRuns; ++i) fast_s.push_back(compile({"--fast"}).wall_s);
+  for (const char* ending : {".bsp", ".lit"}) {
+    std::error_code ignored;
+    fs::remove(fs::path(out).replace_extension(ending), ignored);
+  }
+
+  fmt::print("\n### {}\n\n| what | measured | goal |\n| --- | --- | --- |\n", name);
+  const std::array<std::pair<const char*, double>, 3> stages = {
+      {{"bsp", goals.bsp_s}, {"visibility", goals.visibility_s}, {"light", goals.light_s}}};
+  for (const auto& [stage, goal_s] : stages)
+    print_row(fmt::format("{}, CPU seconds of one thread", stage),
+              fmt::format("{:.2f}", median_of(one, stage).cpu), fmt::format("at most {}", goal_s));
+  for (const auto& [stage, goal_s] : stages)
+    print_row(
+        fmt::format("{}, two threads / one", stage),
+        fmt::format("{:.2f} ({:.2f} s, {:.2f} s)", median_of(one, stage).wall / median_of(two, stage).wall,
+                    median_of(one, stage).wall, median_of(two, stage).wall),
+        stage == stages[0].first ? "-" : "at least 1.9");
+  print_row("light, 4x4 / plain",
+            fmt::format("{:.2f}", median_of(fine, "light").cpu / median_of(one, "light").cpu), "at most 6");
+  print_row("--fast, whole program", fmt::format("{:.2f} s", median(fast_s)),
+            goals.fast_s > 0 ? fmt::format("under {} s", goals.fast_s) : "-");
+  print_row("peak memory, whole program", fmt::format("{:.0f} MB", whole.peak_megabytes), "under 300 MB");
+  const compiler::CompiledLevel& level = one.front().level;
+  print_row("leafs seen on average", fmt::format("{:.1f} %", level.mean_visible_share.value_or(1) * 100),
+            fmt::format("(existing tool {} %)", goals.leafs_seen_percent));
+  print_row("area of faces seen / finished level's", fmt::format("{:.3f}", area_share(data, name, level.bsp)),
+            "at most 1.05");
+}
+
+}  // namespace
+}  // namespace temblor::bench
+
+int main(int count, char** arguments) {
+  const char* data = std::getenv("TEMBLOR_DATA");
+  if (count != 2 || data == nullptr) {
+    fmt::print(stderr, "usage: TEMBLOR_DATA=FOLDER compile_bench PROGRAM\n");
+    return 1;
+  }
+  fmt::print("## Compiling\n");
+  for (const temblor::bench::Goals& goals : temblor::bench::kGoals)
+    temblor::bench::print_map(arguments[1], data, goals);
+}

@@ -1,0 +1,122 @@
+#include "app/compile_shards.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "app/compile_summary.h"
+#include "app/diagnostics.h"
+#include "app/progress.h"
+#include "app/written_file.h"
+#include "compiler/build_light.h"
+#include "compiler/build_visibility.h"
+#include "vfs/disk.h"
+
+namespace temblor::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path shard_path(CompileStage stage, const Shard& shard, const LevelPaths& paths) {
+  return fs::path(paths.bsp).replace_extension(
+      fmt::format(".{}-{}-of-{}", name_of(stage), shard.number, shard.count));
+}
+
+// Whatever their number: those of a run with another count than the last are found as well, and told apart by
+// who reads them.
+base::Result<std::vector<fs::path>> find_shards(CompileStage stage, const LevelPaths& paths) {
+  const std::string start = fmt::format("{}.{}-", paths.bsp.stem().string(), name_of(stage));
+  const fs::path folder = paths.bsp.has_parent_path() ? paths.bsp.parent_path() : fs::path(".");
+  std::vector<fs::path> found;
+  std::error_code failure;
+  for (fs::directory_iterator it(folder, failure), end; !failure && it != end; it.increment(failure)) {
+    const std::string name = it->path().filename().string();
+    if (name.starts_with(start) && !name.ends_with(".new")) found.push_back(it->path());
+  }
+  if (failure) return base::Error{base::ErrorCode::kIo, failure.message(), folder.string()};
+  std::sort(found.begin(), found.end());
+  if (found.empty())
+    return base::Error{
+        base::ErrorCode::kNotFound,
+        fmt::format("no shards to merge: run compile --only {} --shard K/N first", name_of(stage)),
+        shard_path(stage, {1, 2}, paths).string()};
+  return found;
+}
+
+// Says so if it is.
+bool visibility_is_finished(CompileSession& session) {
+  if (session.build().visibility != compiler::VisibilityKind::kFull) return false;
+  fmt::print("{}: visibility is finished\n", session.paths().bsp.string());
+  return true;
+}
+
+base::Status write_visibility_shard(const Shard& shard, const fs::path& path, CompileSession& io_session) {
+  if (visibility_is_finished(io_session)) return base::Ok{};
+  Progress line("visibility");
+  const auto progress = [&](std::size_t done, std::size_t total) {
+    line.update(done, total);
+    return true;
+  };
+  const compiler::VisibilityShard made = compiler::make_visibility_shard(
+      io_session.build(), {shard.number - 1, shard.count}, io_session.jobs(), progress);
+  return replace_file(path, made.state);
+}
+
+base::Status write_light_shard(const Shard& shard, const fs::path& path, CompileSession& io_session) {
+  Progress line("light");
+  const auto progress = [&](std::size_t done, std::size_t total) {
+    line.update(done, total);
+    return true;
+  };
+  const compiler::Build& build = io_session.build();
+  TRY(const base::ByteVector bytes,
+      compiler::light_shard(build.bsp, build.face_keys, io_session.light_options(),
+                            {shard.number - 1, shard.count}, io_session.jobs(), progress));
+  return replace_file(path, bytes);
+}
+
+base::Status merge(CompileStage stage, std::span<const base::Bytes> shards, CompileSession& io_session) {
+  if (stage == CompileStage::kVisibility) {
+    TRY(const compiler::MergedVisibility merged,
+        compiler::merge_visibility_shards(shards, io_session.build()));
+    fmt::print("{}: visibility of {} of {} portals{}\n", io_session.paths().bsp.string(),
+               merged.finished_portals, merged.portals,
+               merged.finished_portals == merged.portals ? "" : "; run the shards again");
+    return base::Ok{};
+  }
+  compiler::Warnings warnings;
+  const base::Status merged = compiler::merge_light_shards(shards, io_session.light_options(),
+                                                           io_session.jobs(), io_session.build(), warnings);
+  print_warnings(warnings);
+  return merged;
+}
+
+}  // namespace
+
+base::Status run_shard(CompileStage stage, const Shard& shard, CompileSession& io_session) {
+  TRY_STATUS(io_session.run_bsp());
+  const fs::path path = shard_path(stage, shard, io_session.paths());
+  if (stage == CompileStage::kVisibility) return write_visibility_shard(shard, path, io_session);
+  return write_light_shard(shard, path, io_session);
+}
+
+base::Status merge_shards(CompileStage stage, CompileSession& io_session) {
+  TRY_STATUS(io_session.run_bsp());
+  if (stage == CompileStage::kVisibility && visibility_is_finished(io_session)) return base::Ok{};
+  TRY(const std::vector<fs::path> files, find_shards(stage, io_session.paths()));
+  std::vector<base::ByteVector> bytes;
+  for (const fs::path& file : files) {
+    TRY(base::ByteVector shard, vfs::read_disk_file(file));
+    bytes.push_back(std::move(shard));
+  }
+  const std::vector<base::Bytes> shards(bytes.begin(), bytes.end());
+  TRY_STATUS(merge(stage, shards, io_session).with_file(files.front().string()));
+  std::error_code ignored;
+  for (const fs::path& file : files) fs::remove(file, ignored);
+  return base::Ok{};
+}
+
+}  // namespace temblor::app

@@ -1,0 +1,18 @@
+// Visibility and light shared out among processes that have a file system in common, by files beside the
+// level: castle.vis-2-of-4.
+#pragma once
+
+#include "app/compile_options.h"
+#include "app/compile_session.h"
+#include "base/result.h"
+
+namespace temblor::app {
+
+// Works out a share of `stage` (visibility or light) and writes its file.
+base::Status run_shard(CompileStage stage, const Shard& shard, CompileSession& io_session);
+
+// Joins the files of all shards of `stage` and takes them away; says how far the stage is. The level is then
+// in `io_session`'s build, and not written yet.
+base::Status merge_shards(CompileStage stage, CompileSession& io_session);
+
+}  // namespace temblor::app

@@ -1,0 +1,24 @@
+// What a mapper is told of a compilation.
+#pragma once
+
+#include "app/level_output.h"
+#include "compiler/build.h"
+#include "compiler/compile_level.h"
+#include "compiler/report.h"
+
+namespace temblor::app {
+
+// Notes: the first of each kind, with how many there are.
+void print_warnings(const compiler::Warnings& warnings);
+
+// Where the level leaks, and where that can be seen.
+void print_leak(const compiler::LeakWay& leak, const LevelPaths& paths);
+
+// Counts beside the limits of the original engine, what leafs see, the time of each stage.
+void print_summary(const compiler::Build& build, const compiler::CompileReport& report,
+                   const LevelPaths& paths);
+
+// The times in one line.
+void print_times(const compiler::CompileReport& report, const LevelPaths& paths);
+
+}  // namespace temblor::app

@@ -1,0 +1,255 @@
+// A level that is brought up to date is the level that would have been made anew.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "artgen/palette.h"
+#include "compiler/build_file.h"
+#include "compiler/compile_level.h"
+#include "formats/lit.h"
+#include "support/effort.h"
+#include "support/room_map.h"
+
+namespace temblor::test {
+namespace {
+
+using compiler::Build;
+using compiler::CompileOptions;
+using compiler::StageWish;
+using math::Vec3d;
+
+class SilentWatcher : public compiler::CompileWatcher {
+ public:
+  void begin_stage(const char* name) override { stage_ = name; }
+  bool progress(std::size_t, std::size_t) override { return stage_ != stop_at; }
+  void save(base::Bytes) override {}
+
+  std::string stop_at;
+
+ private:
+  std::string stage_;
+};
+
+// Two rooms with a door between them, and what can be changed in them.
+struct Place {
+  Vec3d lamp{0, 64, 96}, monster{-64, 0, 40};
+  int lamp_brightness = 250;
+  std::string lamp_name, door_speed = "100", wall = "wall";
+  double pillar_x = 64;
+  int minlight = 0;
+
+  std::string text() const {
+    std::string brushes = walls_text({-128, -128, 0}, {384, 128, 128}, wall);
+    brushes += box_text({120, -128, 0}, {136, -32, 128}, wall);
+    brushes += box_text({120, 32, 0}, {136, 128, 128}, wall);
+    brushes += box_text({pillar_x, 64, 0}, {pillar_x + 16, 80, 128}, wall);
+    const std::string name = lamp_name.empty() ? "" : fmt::format("\n\"targetname\" \"{}\"", lamp_name);
+    return entity_text("worldspawn", fmt::format("\"_minlight\" \"{}\"", minlight), brushes) +
+           point_text("info_player_start", {0, 0, 32}) + point_text("monster_ogre", monster) +
+           entity_text("light", fmt::format("\"origin\" \"{} {} {}\"\n\"light\" \"{}\"{}", lamp.x, lamp.y,
+                                            lamp.z, lamp_brightness, name)) +
+           entity_text("light", "\"origin\" \"300 0 96\"\n\"_color\" \"1 0.5 0\"") +
+           entity_text("func_door", fmt::format("\"speed\" \"{}\"", door_speed),
+                       box_text({124, -32, 0}, {132, 32, 96}, "door"));
+  }
+};
+
+compiler::CompileReport bring_up_to_date(const Place& place, const CompileOptions& options, Build& io_build,
+                                         int threads = 1) {
+  base::Jobs jobs(threads, base::JobBackend::kStdThread);
+  SilentWatcher watcher;
+  compiler::Warnings warnings;
+  return compiler::compile_level(map_of(place.text()), {}, artgen::make_palette(), options, jobs, watcher,
+                                 io_build, warnings)
+      .value();
+}
+
+Build make(const Place& place, const CompileOptions& options = {}) {
+  Build build;
+  bring_up_to_date(place, options, build);
+  return build;
+}
+
+// What a run did, in the order of stages, without what was kept.
+std::vector<std::string> stages_run(const compiler::CompileReport& report) {
+  std::vector<std::string> names;
+  for (const compiler::StageTime& time : report.times)
+    if (time.wall_s && std::string(time.name) != "textures") names.emplace_back(time.name);
+  return names;
+}
+
+struct Files {
+  base::ByteVector bsp, lit, build;
+};
+Files files_of(const Build& build) {
+  Files files;
+  files.bsp = formats::write_bsp(build.bsp, build.bsp.version).value();
+  if (build.lit) files.lit = formats::write_lit(*build.lit);
+  files.build = compiler::write_build(build, {files.bsp, files.lit});
+  return files;
+}
+Build reread(const Files& files) {
+  return compiler::read_build(files.build, {files.bsp, files.lit}).value();
+}
+
+void expect_same_level(const Build& a, const Build& b) {
+  EXPECT_EQ(a.bsp, b.bsp);
+  EXPECT_EQ(a.lit, b.lit);
+}
+
+TEST(Build, OnlyWhatChangedIsMadeAnew) {
+  using Names = std::vector<std::string>;
+  struct Case {
+    const char* what;
+    void (*change)(Place&);
+    Names stages;
+  };
+  const Case cases[] = {
+      {"nothing", [](Place&) {}, {}},
+      {"a monster", [](Place& place) { place.monster.x = -30; }, {}},
+      {"what only the game reads of a door", [](Place& place) { place.door_speed = "40"; }, {}},
+      {"a lamp's place", [](Place& place) { place.lamp.x = 20; }, {"light"}},
+      {"a lamp's name", [](Place& place) { place.lamp_name = "lamp"; }, {"light"}},
+      {"the world's least light", [](Place& place) { place.minlight = 9; }, {"light"}},
+      {"a brush", [](Place& place) { place.pillar_x = 32; }, {"bsp", "visibility", "light"}},
+      {"a texture", [](Place& place) { place.wall = "brick"; }, {"bsp", "visibility", "light"}},
+      {"a lamp's place, into a pillar",
+       [](Place& place) {
+         place.lamp = {70, 70, 60};
+       },
+       {"bsp", "visibility", "light"}},
+  };
+  for (const Case& c : cases) {
+    Place place;
+    Build build = make(place);
+    c.change(place);
+    EXPECT_EQ(stages_run(bring_up_to_date(place, {}, build)), c.stages) << c.what;
+    expect_same_level(build, make(place));
+  }
+}
+
+TEST(Build, AnyEditsGiveTheLevelThatIsMadeAnew) {
+  std::mt19937 random(7);
+  const auto number = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
+  Place place;
+  Build build = make(place);
+  for (int edit = 0; edit < effort(40, 6); ++edit) {
+    switch (number(7)) {
+      case 0:
+        place.monster = {number(200) - 100, number(200) - 100, 40};
+        break;
+      case 1:
+        place.lamp = {number(400) - 100, number(200) - 100, 16 + number(100)};
+        break;
+      case 2:
+        place.lamp_brightness = 100 + number(300);
+        break;
+      case 3:
+        place.lamp_name = number(2) == 0 ? "" : "lamp";
+        break;
+      case 4:
+        place.door_speed = fmt::format("{}", 50 + number(100));
+        break;
+      case 5:
+        place.pillar_x = 8 * number(8);
+        break;
+      default:
+        place.minlight = number(40);
+        break;
+    }
+    CompileOptions options;
+    options.fast_visibility = number(4) == 0;
+    options.visibility_wish = number(5) == 0 ? StageWish::kLeaveOut : StageWish::kMake;
+    options.light_wish = number(5) == 0 ? StageWish::kLeaveOut : StageWish::kMake;
+    options.bsp2 = number(6) == 0;
+    if (number(2) == 0) build = reread(files_of(build));  // as another run finds it
+    bring_up_to_date(place, options, build, 1 + number(2));
+    expect_same_level(build, make(place, options));
+    ASSERT_FALSE(testing::Test::HasFailure()) << "edit " << edit;
+  }
+}
+
+// One stage alone leaves of the others what still fits the brushes.
+TEST(Build, KeptStagesStayUntilBrushesChange) {
+  CompileOptions only_bsp;
+  only_bsp.visibility_wish = only_bsp.light_wish = StageWish::kKeep;
+  Place place;
+  Build build = make(place);
+  const formats::Bsp before = build.bsp;
+  place.lamp.x = 30;
+  bring_up_to_date(place, only_bsp, build);
+  EXPECT_EQ(build.bsp.lighting, before.lighting);
+  EXPECT_EQ(build.bsp.visibility, before.visibility);
+  EXPECT_NE(build.bsp.entities, before.entities);
+  // It is known to be old.
+  EXPECT_EQ(stages_run(bring_up_to_date(place, {}, build)), std::vector<std::string>{"light"});
+  expect_same_level(build, make(place));
+  place.pillar_x = 0;
+  bring_up_to_date(place, only_bsp, build);
+  EXPECT_TRUE(build.bsp.lighting.empty());
+  EXPECT_TRUE(build.bsp.visibility.empty());
+  EXPECT_FALSE(build.lit);
+}
+
+TEST(Build, LeakIsLookedForEachTime) {
+  Place place;
+  place.monster = {2000, 0, 0};
+  Build build;
+  EXPECT_TRUE(bring_up_to_date(place, {}, build).leak);
+  EXPECT_TRUE(bring_up_to_date(place, {}, build).leak);
+  place.monster = {0, 0, 40};
+  EXPECT_FALSE(bring_up_to_date(place, {}, build).leak);
+  expect_same_level(build, make(place));
+}
+
+TEST(Build, VisibilityThatWasStoppedIsKept) {
+  const Place place;
+  Build build;
+  base::Jobs jobs(1, base::JobBackend::kStdThread);
+  SilentWatcher watcher;
+  watcher.stop_at = "visibility";
+  compiler::Warnings warnings;
+  const auto stopped = compiler::compile_level(map_of(place.text()), {}, artgen::make_palette(), {}, jobs,
+                                               watcher, build, warnings);
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().code, base::ErrorCode::kUsage);
+  ASSERT_FALSE(build.visibility_state.empty());
+  // The level was not written, so the next run has the state alone.
+  const base::ByteVector saved = compiler::write_unfinished_build(build.visibility_state);
+  Build next = compiler::read_build(saved, {}).value();
+  EXPECT_EQ(next.visibility_state, build.visibility_state);
+  bring_up_to_date(place, {}, next);
+  EXPECT_TRUE(next.visibility_state.empty());
+  expect_same_level(next, make(place));
+}
+
+TEST(BuildFile, ReadsBackEqual) {
+  const Files files = files_of(make({}));
+  EXPECT_EQ(files_of(reread(files)).build, files.build);
+}
+
+TEST(BuildFile, OfAnotherLevelIsNoUse) {
+  const Files files = files_of(make({}));
+  Place other;
+  other.lamp.x = 40;
+  const Files others = files_of(make(other));
+  EXPECT_TRUE(compiler::read_build(files.build, {others.bsp, others.lit})->bsp.models.empty());
+  EXPECT_TRUE(compiler::read_build(files.build, {files.bsp, {}})->bsp.models.empty());
+  EXPECT_TRUE(compiler::read_build(files.build, {})->bsp.models.empty());
+}
+
+TEST(BuildFile, DamageIsFound) {
+  const Files files = files_of(make({}));
+  for (std::size_t i = 0; i < files.build.size(); i += 1 + files.build.size() / 97) {
+    base::ByteVector damaged = files.build;
+    damaged[i] ^= std::byte{0x10};
+    EXPECT_FALSE(compiler::read_build(damaged, {files.bsp, files.lit}).ok()) << "byte " << i;
+    damaged.resize(i);
+    EXPECT_FALSE(compiler::read_build(damaged, {files.bsp, files.lit}).ok()) << "cut at " << i;
+  }
+}
+
+}  // namespace
+}  // namespace temblor::test

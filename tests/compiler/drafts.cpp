@@ -1,0 +1,87 @@
+#include "compiler/drafts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "formats/bsp_validate.h"
+#include "support/room_map.h"
+#include "world/level.h"
+
+namespace temblor::test {
+namespace {
+
+std::string_view texture_of(const formats::Bsp& bsp, const formats::BspFace& face) {
+  return bsp.miptexes[static_cast<std::size_t>(bsp.texinfos[face.texinfo].miptex)].name;
+}
+
+double area_of_face(const formats::Bsp& bsp, const formats::BspFace& face) {
+  std::vector<math::Vec3d> corners;
+  for (std::uint32_t k = 0; k < face.surfedge_count; ++k) {
+    const std::int32_t edge = bsp.surfedges[face.first_surfedge + k];
+    const auto& ends = bsp.edges[static_cast<std::size_t>(std::abs(edge))].vertices;
+    corners.emplace_back(bsp.vertices[ends[edge < 0 ? 1 : 0]]);
+  }
+  math::Vec3d sum(0.0);
+  for (std::size_t k = 2; k < corners.size(); ++k)
+    sum += glm::cross(corners[k - 1] - corners[0], corners[k] - corners[0]);
+  return glm::length(sum) / 2;
+}
+
+}  // namespace
+
+std::string room_text(const std::string& more_brushes) {
+  return entity_text("worldspawn", "\"wad\" \"x.wad\"",
+                     walls_text(kRoomMins, kRoomMaxs, "wall") + more_brushes) +
+         point_text("info_player_start", {0, 0, 32});
+}
+
+compiler::DraftResult draft_of(const std::string& map_text, const compiler::DraftOptions& options,
+                               int threads) {
+  base::Jobs jobs(threads);
+  compiler::Warnings warnings;
+  return compiler::make_draft(
+             map_of(map_text), [](std::string_view) { return math::Vec2d(64, 64); }, options, jobs, warnings)
+      .value();
+}
+
+base::Result<compiler::DraftResult> try_draft_of(const std::string& map_text,
+                                                 compiler::Warnings& io_warnings) {
+  TRY(const formats::Map map, formats::read_map(map_text));
+  base::Jobs jobs(1);
+  return compiler::make_draft(
+      map, [](std::string_view) { return math::Vec2d(64, 64); }, {}, jobs, io_warnings);
+}
+
+std::string fault_of(const compiler::DraftResult& result) {
+  formats::Bsp bsp = result.draft.bsp;
+  for (formats::BspMiptex& texture : bsp.miptexes) texture.name.clear();
+  const auto fault = formats::find_fault(bsp);
+  return fault ? fault->reason : "";
+}
+
+world::Contents contents_at(const compiler::DraftResult& result, const math::Vec3& point, world::Hull hull) {
+  const auto level = world::make_level(result.draft.bsp, "room").value();
+  return world::hull_contents(*level, world::ModelIndex{0}, hull, point);
+}
+
+double area_of(const compiler::DraftResult& result, std::string_view texture, int axis, int sign, float at) {
+  const formats::Bsp& bsp = result.draft.bsp;
+  double area = 0;
+  for (const formats::BspFace& face : bsp.faces) {
+    const formats::BspPlane& plane = bsp.planes[face.plane];
+    const float facing = plane.normal[axis] * (face.side == 0 ? 1.0f : -1.0f);
+    const bool lies_there = plane.distance * plane.normal[axis] == at;
+    if (facing == static_cast<float>(sign) && lies_there && texture_of(bsp, face) == texture)
+      area += area_of_face(bsp, face);
+  }
+  return area;
+}
+
+int count_faces(const compiler::DraftResult& result, std::string_view texture) {
+  const formats::Bsp& bsp = result.draft.bsp;
+  return static_cast<int>(std::ranges::count_if(
+      bsp.faces, [&](const formats::BspFace& face) { return texture_of(bsp, face) == texture; }));
+}
+
+}  // namespace temblor::test
