@@ -9,7 +9,8 @@
 namespace temblor::app {
 
 // Written beside `path` under another name, then renamed: whoever reads it meanwhile sees the old file or the
-// new one, and a full disk leaves the old one. Errors name the file and say what to do.
+// new one, and a full disk leaves the old one. A device or a pipe is written to. Errors name the file and say
+// what to do.
 base::Status replace_file(const std::filesystem::path& path, base::Bytes bytes);
 
 }  // namespace temblor::app

@@ -21,7 +21,7 @@ struct DraftOptions {
 
 // How a level that is not closed leaks: from an entity to the outside.
 struct LeakWay {
-  std::size_t entity;  // of the map
+  std::size_t entity;     // of the map
   std::string classname;  // as much of it as a message can bear
   std::vector<math::Vec3d> points_world;
 };

@@ -128,7 +128,7 @@ TEST(BadMaps, AreToldAndStillALevel) {
   for (const Case& c :
        {Case{entity_text("worldspawn", "", walls_text(kRoomMins, kRoomMaxs, "wall")), "no info_player_start"},
         Case{room_text() + entity_text("worldspawn", "", box_text({0, 0, 0}, {9, 9, 9}, "bad")),
-             "a second worldspawn: entity 2, line 57"},
+             "a second worldspawn, of which only brushes are taken: entity 2, line 57"},
         Case{entity_text("worldspawn", "", walls_text(kRoomMins, kRoomMaxs, "skip")) + start,
              "nothing is drawn"},
         Case{entity_text("worldspawn", "", box_text(Vec3d(-5e5), Vec3d(5e5), "bad")) + start,

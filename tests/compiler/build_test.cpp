@@ -20,11 +20,10 @@ using compiler::CompileOptions;
 using compiler::StageWish;
 using math::Vec3d;
 
-class SilentWatcher : public compiler::CompileWatcher {
+class Stopper : public compiler::CompileWatcher {
  public:
   void begin_stage(const char* name) override { stage_ = name; }
   bool progress(std::size_t, std::size_t) override { return stage_ != stop_at; }
-  void save(base::Bytes) override {}
 
   std::string stop_at;
 
@@ -59,7 +58,7 @@ struct Place {
 compiler::CompileReport bring_up_to_date(const Place& place, const CompileOptions& options, Build& io_build,
                                          int threads = 1) {
   base::Jobs jobs(threads, base::JobBackend::kStdThread);
-  SilentWatcher watcher;
+  Stopper watcher;
   compiler::Warnings warnings;
   return compiler::compile_level(map_of(place.text()), {}, artgen::make_palette(), options, jobs, watcher,
                                  io_build, warnings)
@@ -208,7 +207,7 @@ TEST(Build, VisibilityThatWasStoppedIsKept) {
   const Place place;
   Build build;
   base::Jobs jobs(1, base::JobBackend::kStdThread);
-  SilentWatcher watcher;
+  Stopper watcher;
   watcher.stop_at = "visibility";
   compiler::Warnings warnings;
   const auto stopped = compiler::compile_level(map_of(place.text()), {}, artgen::make_palette(), {}, jobs,

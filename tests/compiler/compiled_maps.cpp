@@ -8,18 +8,7 @@
 #include "vfs/file_system.h"
 
 namespace temblor::test {
-namespace {
-
 namespace fs = std::filesystem;
-
-class NobodyWatches : public compiler::CompileWatcher {
- public:
-  void begin_stage(const char*) override {}
-  bool progress(std::size_t, std::size_t) override { return true; }
-  void save(base::Bytes) override {}
-};
-
-}  // namespace
 
 std::vector<const char*> stock_maps() {
   if (kQuick) return {"lq_e0m9", "b_bh25"};
@@ -51,12 +40,12 @@ CompiledMap compile_stock_map(const fs::path& base_folder, const std::string& na
   const formats::Map map = stock_map(base_folder, name);
   const StockTextures textures = stock_textures(base_folder, map);
   base::Jobs jobs(threads);
-  NobodyWatches watcher;
+  compiler::CompileWatcher nobody;
   compiler::Warnings warnings;
   compiler::Build level;
-  compiler::CompileReport report = compiler::compile_level(map, textures.sources, textures.palette, options,
-                                                           jobs, watcher, level, warnings)
-                                       .value();
+  compiler::CompileReport report =
+      compiler::compile_level(map, textures.sources, textures.palette, options, jobs, nobody, level, warnings)
+          .value();
   return {std::move(level), std::move(report.leak), std::move(warnings)};
 }
 

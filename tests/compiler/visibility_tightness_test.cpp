@@ -60,7 +60,7 @@ TEST(VisibilityTightness, LetsThroughNoMoreThanFinishedLevelsDo) {
 TEST(VisibilityTightness, CompiledLevelsDrawNoMoreThanFinishedOnes) {
   DATA_FOLDER_OR_SKIP(folder);
   CompileOptions options;
-  options.lighting = false;
+  options.light_wish = StageWish::kLeaveOut;
   for (const std::string name : test::stock_maps()) {
     if (name.starts_with("b_")) continue;  // nothing is inside
     const formats::Bsp finished = finished_level(folder, name);
@@ -87,7 +87,7 @@ TEST(VisibilityTightness, CompiledLevelsDrawNoMoreThanFinishedOnes) {
 TEST(VisibilityTightness, FullVisibilityIsPartOfFastOne) {
   DATA_FOLDER_OR_SKIP(folder);
   CompileOptions full, fast;
-  full.lighting = fast.lighting = false;
+  full.light_wish = fast.light_wish = StageWish::kLeaveOut;
   fast.fast_visibility = true;
   for (const std::string name : test::stock_maps()) {
     const auto narrow =

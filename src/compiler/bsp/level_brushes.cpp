@@ -61,9 +61,8 @@ class Sorter {
       add_brushes(number, of_class, math::Vec3d(0.0), out_.models.front());
       add_fields(entity.fields, {number == 0, {}, {}});
       if (number > 0 && entity.fields.classname() == "worldspawn")
-        warnings_.push_back(
-            {"a second worldspawn", fmt::format("entity {}, line {}: its brushes are taken, its keys are not",
-                                                number, entity.line)});
+        warnings_.push_back({"a second worldspawn, of which only brushes are taken",
+                             fmt::format("entity {}, line {}", number, entity.line)});
     } else if (entity.brushes.empty()) {
       add_point_entity(number);
     } else {

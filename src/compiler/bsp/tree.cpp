@@ -34,30 +34,36 @@ using Pieces = std::vector<Piece>;
 
 enum class Where { kFront, kBack, kBoth };
 
-// By how much a piece lies on either side of a plane.
+// By how much a piece lies on either side of a plane; of one that is cut by it, at least kSliver.
 struct Reach {
   double front, back;
 };
 
+// What sticks out by less is not worth a piece of its own.
+constexpr double kSliver = 0.1;  // units
+
 Reach reach(const Piece& piece, const Plane& plane) {
+  // Stored planes along an axis face up it.
+  if (plane.axis < 3)
+    return {piece.box.maxs[plane.axis] - plane.distance, plane.distance - piece.box.mins[plane.axis]};
   const math::Vec3d middle = (piece.box.mins + piece.box.maxs) * 0.5,
                     half = (piece.box.maxs - piece.box.mins) * 0.5;
   const double at = plane.distance_to(middle), wide = glm::dot(half, glm::abs(plane.normal));
-  if (plane.axis < 3 || at - wide >= -kOnPlane || at + wide <= kOnPlane) return {at + wide, wide - at};
+  if (at - wide >= -kOnPlane || at + wide <= kOnPlane) return {at + wide, wide - at};
   Reach found{-1e30, -1e30};
-  for (const PieceSide& side : piece.sides)
+  for (const PieceSide& side : piece.sides) {
     for (const math::Vec3d& point : side.winding) {
       const double d = plane.distance_to(point);
       found = {std::max(found.front, d), std::max(found.back, -d)};
     }
+    if (found.front >= kSliver && found.back >= kSliver) break;
+  }
   return found;
 }
 
 Where side_of(const Reach& reach) {
   if (reach.back <= kOnPlane) return Where::kFront;
   if (reach.front <= kOnPlane) return Where::kBack;
-  // A sliver is not worth a piece of its own.
-  constexpr double kSliver = 0.1;
   if (reach.back < kSliver && reach.front > kSliver) return Where::kFront;
   if (reach.front < kSliver && reach.back > kSliver) return Where::kBack;
   return Where::kBoth;

@@ -87,10 +87,10 @@ void cut_to_back(Winding& io_winding, const Plane& plane, bool keep_on, double o
     io_winding.clear();
     return;
   }
-  // Few windings have more corners; for the others no memory is asked for.
+  // Nearly all windings have so few corners that they are cut without asking for memory.
   constexpr std::size_t kMost = 64;
   const std::size_t count = io_winding.size();
-  if (count + 1 > kMost) {
+  if (2 * count > kMost) {
     io_winding = split(io_winding, plane, on_plane).back;
     return;
   }
