@@ -9,26 +9,15 @@
 #include "world/face_at.h"
 
 namespace temblor::test {
-namespace {
-
-class Unwatched : public compiler::CompileWatcher {
- public:
-  void begin_stage(const char*) override {}
-  bool progress(std::size_t, std::size_t) override { return true; }
-  void save(base::Bytes) override {}
-};
-
-}  // namespace
-
 std::shared_ptr<const world::Level> lit_map(const std::string& text, const LitMapOptions& options) {
   base::Jobs jobs(2, base::JobBackend::kStdThread);
   compiler::CompileOptions how;
   how.light = options.light;
-  Unwatched watcher;
+  compiler::CompileWatcher nobody;
   compiler::Warnings warnings;
   compiler::Build build;
   const compiler::CompileReport report =
-      compiler::compile_level(map_of(text), {}, options.palette, how, jobs, watcher, build, warnings).value();
+      compiler::compile_level(map_of(text), {}, options.palette, how, jobs, nobody, build, warnings).value();
   CHECK(!report.leak);
   return world::make_level(std::move(build.bsp), "test map").value();
 }
