@@ -22,6 +22,11 @@ struct SurfaceKeys {
   float min_light = 0;
   std::array<float, 3> min_light_colour{1, 1, 1};
   bool casts_shadow = true;  // func_detail_illusionary and the like do not
+  // Of one that casts a shadow only because it asks for this: _shadowself, _shadowworldonly.
+  bool shadows_own_model_only = false, shadows_world_only = false;
+  // _autominlight, who takes the light in the model's middle: 0 faces hidden whole, 1 all hidden luxels, -1
+  // none.
+  std::int8_t auto_min_light = 0;
   bool takes_dirt = true;
   bool takes_bounce = true;
   bool ignores_light = false;  // _lightignore
@@ -36,6 +41,7 @@ void visit_fields(Keys& keys, const Visit& visit) {
   visit(keys.phong_angle_deg), visit(keys.phong_angle_concave_deg), visit(keys.phong_group);
   visit(keys.min_light);
   for (auto& part : keys.min_light_colour) visit(part);
+  visit(keys.shadows_own_model_only), visit(keys.shadows_world_only), visit(keys.auto_min_light);
   visit(keys.casts_shadow), visit(keys.takes_dirt), visit(keys.takes_bounce), visit(keys.ignores_light);
   visit(keys.light_map_scale), visit(keys.light_alpha);
 }

@@ -59,7 +59,7 @@ base::Result<Preparation> prepare(const formats::Bsp& bsp, const FaceKeys& face_
   const bool styles_changed = assign_switchable_styles(entities, io_warnings);
   const LightSettings settings = settings_of(entities, options);
   TRY(LitLevel lit, make_lit_level(unlit(bsp), face_keys));
-  TRY(RayScene scene, RayScene::make(occluders_of(lit)));
+  TRY(RayScene scene, RayScene::make(occluders_of(lit, options.palette)));
   EntityLights found = entity_lights_of(entities, settings, io_warnings);
   const std::vector<LightSource> surface_lights = surface_lights_of(lit, found.templates);
   found.lights.insert(found.lights.end(), surface_lights.begin(), surface_lights.end());

@@ -40,6 +40,13 @@ SurfaceKeys surface_keys_of(const formats::Entity& entity) {
     keys.min_light_colour = {colour->x, colour->y, colour->z};
   const bool shadow_unless_said = is_part_of_the_world(entity.classname());
   keys.casts_shadow = number_or(entity, "shadow", shadow_unless_said ? 1.0f : 0.0f) > 0;
+  if (!keys.casts_shadow) {
+    keys.shadows_own_model_only = number_or(entity, "shadowself", 0) > 0;
+    keys.shadows_world_only = !keys.shadows_own_model_only && number_or(entity, "shadowworldonly", 0) > 0;
+    keys.casts_shadow = keys.shadows_own_model_only || keys.shadows_world_only;
+  }
+  keys.auto_min_light =
+      static_cast<std::int8_t>(std::clamp(number_or(entity, "autominlight", 0), -1.0f, 1.0f));
   keys.takes_dirt = number_or(entity, "dirt", 0) >= 0;
   keys.takes_bounce = number_or(entity, "bounce", 0) >= 0;
   keys.ignores_light = number_or(entity, "lightignore", 0) > 0;

@@ -7,12 +7,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "compiler/compile_level.h"
+#include "compiler/lit_map.h"
 #include "math/vec.h"
 #include "support/effort.h"
 #include "support/room_map.h"
@@ -166,42 +165,6 @@ std::string text_of(const TestMap& map) {
   return text;
 }
 
-std::shared_ptr<const world::Level> compile(const TestMap& map, int extra) {
-  base::Jobs jobs(2, base::JobBackend::kStdThread);
-  compiler::CompileOptions options;
-  options.light.extra = extra;
-  compiler::CompileWatcher nobody;
-  compiler::Warnings warnings;
-  compiler::Build build;
-  const auto compiled = compiler::compile_level(map_of(text_of(map)), {}, formats::Palette{}, options, jobs,
-                                                nobody, build, warnings);
-  EXPECT_FALSE(compiled->leak);
-  return world::make_level(std::move(build.bsp), "corners").value();
-}
-
-// The light that the game shows at a point of a face: between luxels it goes from one to the next linearly.
-double shown_light(const world::Level& level, const world::Face& face, const Vec3d& place) {
-  if (face.light == world::kNoLight) return 0;
-  const world::TextureAxes& axes = level.texture_axes[face.axes];
-  const auto along = [](double texel, int mins, int luxels) {
-    return std::clamp((texel - mins) / 16, 0.0, static_cast<double>(luxels - 1));
-  };
-  const double s = along(glm::dot(place, Vec3d(axes.s_axis)) + double{axes.s_offset}, face.texture_mins[0],
-                         face.light_width());
-  const double t = along(glm::dot(place, Vec3d(axes.t_axis)) + double{axes.t_offset}, face.texture_mins[1],
-                         face.light_height());
-  double light = 0;
-  for (const int row : {0, 1})
-    for (const int column : {0, 1}) {
-      const int x = std::min(static_cast<int>(s) + column, face.light_width() - 1);
-      const int y = std::min(static_cast<int>(t) + row, face.light_height() - 1);
-      const double part_x = s - std::floor(s), part_y = t - std::floor(t);
-      light += (column == 1 ? part_x : 1 - part_x) * (row == 1 ? part_y : 1 - part_y) *
-               level.light[face.light + static_cast<std::size_t>(y * face.light_width() + x)];
-    }
-  return light;
-}
-
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   unsigned some = 0, all = ~0u;  // a bit for each lamp that shines somewhere, and everywhere
@@ -270,14 +233,14 @@ bool is_stretched(const world::Level& level, const world::Face& face) {
 TEST(LightCorners, WhatIsShownIsTheLightThatIsThere) {
   const TestMap map = make_test_map();
   for (const int extra : {1, effort(4, 2)}) {
-    const auto level = compile(map, extra);
+    const auto level = lit_map(text_of(map), {{.extra = extra}, {}});
     int dark = 0, lit = 0, edges = 0;
     for (const world::Face& face : level->faces) {
       const Vec3d normal = world::plane_of(*level, face).normal;
       const double radius = is_stretched(*level, face) ? kStretchedFootprint : kFootprint;
       for (const Vec3d& place : points_on(*level, face, effort(14, 40), 1.5)) {
         const Range range = light_around(map, place, normal, radius);
-        const double shown = shown_light(*level, face, place);
+        const double shown = shown_light(*level, face, place).x;
         // Where no line leads to a lamp there is none at all.
         const double more = range.high == 0 ? 0 : kSteps;
         ASSERT_TRUE(shown >= range.low - kSteps && shown <= range.high + more)
@@ -299,7 +262,7 @@ constexpr double kSeamSteps = 4;
 // half of what it takes.
 TEST(LightCorners, NoStripesWhereFacesOfOnePlaneMeet) {
   const TestMap map = make_test_map();
-  const auto level = compile(map, 1);
+  const auto level = lit_map(text_of(map));
   int seams = 0, at_shadows = 0;
   for (std::size_t a = 0; a < level->faces.size(); ++a)
     for (std::size_t b = a + 1; b < level->faces.size(); ++b) {
@@ -309,7 +272,7 @@ TEST(LightCorners, NoStripesWhereFacesOfOnePlaneMeet) {
       for (const Vec3d& place : points_on(*level, one, 1.5, 0.5)) {
         if (glm::length(world::nearest_point(*level, other, place) - place) > 2) continue;
         const Range range = light_around(map, place, normal, kStretchedFootprint);
-        const double step = std::abs(shown_light(*level, one, place) - shown_light(*level, other, place));
+        const double step = std::abs(shown_light(*level, one, place).x - shown_light(*level, other, place).x);
         ++(range.has_shadow_edge() ? at_shadows : seams);
         EXPECT_LE(step, range.has_shadow_edge() ? (range.high - range.low) / 2 : kSeamSteps)
             << fmt::format("at {} {} {}, light {} to {}", place.x, place.y, place.z, range.low, range.high);

@@ -105,28 +105,29 @@ TEST(LightScale, IsTheSameHoweverItIsMade) {
   bsp.entities.insert(bsp.entities.find('}'),
                       "\"_lmscale\" \"0.5\" \"_bounce\" \"1\" \"_dirt\" \"1\" \"_sunlight\" \"100\"");
   bsp.entities += "{ \"classname\" \"light\" \"origin\" \"0 0 64\" \"_color\" \"1 0.5 0\" }";
-  const LitResult once = light(bsp);
+  const compiler::LightOptions options{.sky_rays = 8};
+  const LitResult once = light(bsp, options);
   ASSERT_NE(once.bsp.find_bspx("LMSHIFT"), nullptr);
   ASSERT_TRUE(once.summary.coloured);
   EXPECT_EQ(once.summary.lit.samples.size(), once.bsp.lighting.size() * 3);
-  EXPECT_EQ(light(bsp, {}, 3).bsp, once.bsp);
+  EXPECT_EQ(light(bsp, options, 3).bsp, once.bsp);
   compiler::LightCache cache;
-  EXPECT_EQ(light(bsp, {}, 1, &cache).bsp, once.bsp);
-  EXPECT_EQ(light(bsp, {}, 1, &cache).bsp, once.bsp);
+  EXPECT_EQ(light(bsp, options, 1, &cache).bsp, once.bsp);
+  EXPECT_EQ(light(bsp, options, 1, &cache).bsp, once.bsp);
   // Lit again from itself, there are no lumps twice.
-  EXPECT_EQ(light(once.bsp).bsp, once.bsp);
+  EXPECT_EQ(light(once.bsp, options).bsp, once.bsp);
 
   const auto keys = compiler::face_keys_of(bsp, formats::read_entities(bsp.entities).value());
   base::Jobs jobs(1);
   compiler::Warnings warnings;
   std::vector<base::ByteVector> shards;
   for (std::uint32_t i = 0; i < 3; ++i)
-    shards.push_back(compiler::light_shard(bsp, keys, {}, {i, 3}, jobs, [](std::size_t, std::size_t) {
+    shards.push_back(compiler::light_shard(bsp, keys, options, {i, 3}, jobs, [](std::size_t, std::size_t) {
                        return true;
                      }).value());
   formats::Bsp merged = bsp;
   ASSERT_TRUE(
-      compiler::merge_light(merged, keys, {}, {{shards[0], shards[1], shards[2]}}, jobs, warnings).ok());
+      compiler::merge_light(merged, keys, options, {{shards[0], shards[1], shards[2]}}, jobs, warnings).ok());
   EXPECT_EQ(merged, once.bsp);
 }
 

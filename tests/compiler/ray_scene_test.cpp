@@ -57,6 +57,8 @@ TEST(RayScene, HolesOfATextureLetLightThrough) {
   fence.t_axis = Vec3(0, 0.125f, 0);
   fence.width = fence.height = 2;
   fence.texels = texels;
+  fence.passes_by_texel.assign(256, Vec3(0));
+  fence.passes_by_texel[255] = Vec3(1);
   occluders.sieve_surfaces = {fence};
   const RayScene scene = RayScene::make(occluders).value();
   for (int x = -60; x < 60; x += 8)

@@ -57,6 +57,23 @@ TEST(SurfaceKeys, TheWorldCastsShadowsAndDoorsOnlyWhenAsked) {
   }
 }
 
+TEST(SurfaceKeys, ShadowsMayFallOnSomethingOnly) {
+  struct Shadow {
+    bool cast, on_own_model_only, on_world_only;
+    bool operator==(const Shadow&) const = default;
+  };
+  const auto shadow = [](std::vector<std::pair<std::string, std::string>> pairs) {
+    pairs.insert(pairs.begin(), {"classname", "func_wall"});
+    const compiler::SurfaceKeys keys = compiler::surface_keys_of(entity(std::move(pairs)));
+    return Shadow{keys.casts_shadow, keys.shadows_own_model_only, keys.shadows_world_only};
+  };
+  EXPECT_EQ(shadow({{"_shadowself", "1"}}), (Shadow{true, true, false}));
+  EXPECT_EQ(shadow({{"_shadowworldonly", "1"}}), (Shadow{true, false, true}));
+  EXPECT_EQ(shadow({{"_shadowself", "1"}, {"_shadowworldonly", "1"}}), (Shadow{true, true, false}));
+  EXPECT_EQ(shadow({{"_shadow", "1"}, {"_shadowself", "1"}}), (Shadow{true, false, false}));
+  EXPECT_EQ(shadow({{"_shadowself", "-1"}}), (Shadow{false, false, false}));
+}
+
 TEST(SurfaceKeys, FacesOfAModelHaveItsEntitysKeys) {
   formats::Bsp bsp = make_cube_room();
   bsp.models[0].face_count = 4;

@@ -8,6 +8,8 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <span>
 
 #include "compiler/light/directions.h"
 #include "compiler/light/sample_places.h"
@@ -141,11 +143,12 @@ void trace_face(const LitLevel& lit, const RayScene& scene, const BouncedWorld& 
 }
 
 // What each node sends back of the light that falls on its face: the mean of the luxels around it.
-std::vector<math::Vec3> first_light(const BouncedWorld& bounced, const std::vector<FaceLight>& light) {
+std::vector<math::Vec3> first_light(const BouncedWorld& bounced, const std::vector<FaceLight>& light,
+                                    std::uint8_t style) {
   std::vector<math::Vec3> sent(bounced.face_of_node.size(), math::Vec3(0.0f));
   for (std::size_t face = 0; face < bounced.grids.size(); ++face) {
     const NodeGrid& grid = bounced.grids[face];
-    const LightLayer* layer = light[face].find(0, LayerKind::kAdd);
+    const LightLayer* layer = light[face].find(style, LayerKind::kAdd);
     if (grid.columns == 0 || layer == nullptr) continue;
     for (int row = 0; row < grid.rows; ++row)
       for (int column = 0; column < grid.columns; ++column) {
@@ -165,12 +168,12 @@ std::vector<math::Vec3> first_light(const BouncedWorld& bounced, const std::vect
 
 // `map` may be of another scale than the nodes' own.
 void add_to_map(const NodeGrid& grid, const LightMapShape& own, const LightMapShape& map,
-                const std::vector<math::Vec3>& gathered, FaceLight& io_light) {
+                const std::vector<math::Vec3>& gathered, std::uint8_t style, FaceLight& io_light) {
   const std::uint32_t end = grid.first_node + static_cast<std::uint32_t>(grid.columns * grid.rows);
   if (std::all_of(gathered.begin() + grid.first_node, gathered.begin() + end,
                   [](const math::Vec3& light) { return light == math::Vec3(0.0f); }))
     return;
-  std::vector<math::Vec3>& samples = io_light.layer(0, LayerKind::kAdd, map.size()).samples;
+  std::vector<math::Vec3>& samples = io_light.layer(style, LayerKind::kAdd, map.size()).samples;
   const auto along = [&](int luxel, std::size_t axis, int nodes, int count) {
     if (count <= 1) return 0.0f;
     const int texel = map.texture_mins[axis] + luxel * map.texels - own.texture_mins[axis];
@@ -192,6 +195,42 @@ void add_to_map(const NodeGrid& grid, const LightMapShape& own, const LightMapSh
           glm::mix(above, below, row - static_cast<float>(top));
     }
   }
+}
+
+// What each node gets after all bounces of what is sent at first.
+std::vector<math::Vec3> gathered_light(const BouncedWorld& bounced, std::span<const std::uint32_t> seen,
+                                       const BounceSettings& settings, std::vector<math::Vec3> sent,
+                                       base::Jobs& io_jobs) {
+  const std::size_t nodes = sent.size();
+  std::vector<math::Vec3> gathered(nodes, math::Vec3(0.0f)), gathered_now(nodes);
+  for (int bounce = 0; bounce < settings.count; ++bounce) {
+    io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
+      const NodeGrid& grid = bounced.grids[face];
+      const auto last = grid.first_node + static_cast<std::uint32_t>(grid.columns * grid.rows);
+      for (std::size_t node = grid.first_node; node < last; ++node) {
+        math::Vec3 sum(0.0f);
+        for (std::size_t ray = 0; ray < kRays; ++ray)
+          if (const std::uint32_t from = seen[node * kRays + ray]; from != kNoNode) sum += sent[from];
+        gathered_now[node] = sum / float{kRays};
+      }
+    });
+    for (std::size_t node = 0; node < nodes; ++node) {
+      gathered[node] += gathered_now[node];
+      sent[node] = gathered_now[node] * bounced.reflectance[bounced.face_of_node[node]];
+    }
+  }
+  for (math::Vec3& light : gathered) light *= kFirstBounce / kReflectance * settings.scale;
+  return gathered;
+}
+
+std::vector<std::uint8_t> bouncing_styles(const BounceSettings& settings,
+                                          const std::vector<FaceLight>& light) {
+  std::set<std::uint8_t> styles{0};
+  if (settings.styled)
+    for (const FaceLight& face : light)
+      for (const LightLayer& layer : face.layers)
+        if (layer.kind == LayerKind::kAdd) styles.insert(layer.style);
+  return {styles.begin(), styles.end()};
 }
 
 }  // namespace
@@ -224,30 +263,15 @@ void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
   if (palette && settings.colour_scale > 0) tint_by_textures(lit, settings, *palette, bounced);
   const std::size_t nodes = bounced.face_of_node.size();
   CHECK(seen.size() == nodes * kRays);
-  std::vector<math::Vec3> sent = first_light(bounced, io_light);
-  std::vector<math::Vec3> gathered(nodes, math::Vec3(0.0f)), gathered_now(nodes);
-  for (int bounce = 0; bounce < settings.count; ++bounce) {
-    io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
-      const NodeGrid& grid = bounced.grids[face];
-      const auto last = grid.first_node + static_cast<std::uint32_t>(grid.columns * grid.rows);
-      for (std::size_t node = grid.first_node; node < last; ++node) {
-        math::Vec3 sum(0.0f);
-        for (std::size_t ray = 0; ray < kRays; ++ray)
-          if (const std::uint32_t from = seen[node * kRays + ray]; from != kNoNode) sum += sent[from];
-        gathered_now[node] = sum / float{kRays};
-      }
+  for (const std::uint8_t style : bouncing_styles(settings, io_light)) {
+    const std::vector<math::Vec3> gathered =
+        gathered_light(bounced, seen, settings, first_light(bounced, io_light, style), io_jobs);
+    io_jobs.parallel_for(lit.maps.size(), [&](std::size_t map) {
+      const std::size_t face = lit.maps[map].face;
+      if (bounced.grids[face].columns > 0 && lit.keys_of(face).takes_bounce)
+        add_to_map(bounced.grids[face], lit.maps[face], lit.maps[map], gathered, style, io_light[map]);
     });
-    for (std::size_t node = 0; node < nodes; ++node) {
-      gathered[node] += gathered_now[node];
-      sent[node] = gathered_now[node] * bounced.reflectance[bounced.face_of_node[node]];
-    }
   }
-  for (math::Vec3& light : gathered) light *= kFirstBounce / kReflectance * settings.scale;
-  io_jobs.parallel_for(lit.maps.size(), [&](std::size_t map) {
-    const std::size_t face = lit.maps[map].face;
-    if (bounced.grids[face].columns > 0 && lit.keys_of(face).takes_bounce)
-      add_to_map(bounced.grids[face], lit.maps[face], lit.maps[map], gathered, io_light[map]);
-  });
 }
 
 }  // namespace temblor::compiler

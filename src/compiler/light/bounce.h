@@ -24,9 +24,9 @@ std::optional<std::vector<std::uint32_t>> trace_bounces(const LitLevel& lit, con
 // Whether `seen` could be trace_bounces' of this level.
 bool are_bounces_of(const LitLevel& lit, std::span<const std::uint32_t> seen);
 
-// Adds to style 0 of every face what it gets from the others after settings.count bounces of style 0. Other
-// styles do not bounce, nor do negative lights. Without a palette no face has a colour. `seen`:
-// trace_bounces' of this level. `io_light`: by light map.
+// Adds to style 0 of every face what it gets from the others after settings.count bounces of style 0, and so
+// for every style with settings.styled. Negative lights do not bounce. Without a palette no face has a
+// colour. `seen`: trace_bounces' of this level. `io_light`: by light map.
 void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
                        const BounceSettings& settings, const std::optional<formats::Palette>& palette,
                        base::Jobs& io_jobs, std::vector<FaceLight>& io_light);

@@ -149,10 +149,10 @@ class FaceLighter {
     if (known_ != nullptr && input_.known->number_of(number) != KnownLight::kUnknown)
       shares = shadows_before_.find({input_.known->number_of(number), lit_luxels_, rough});
     if (!shares)
-      shares = filter_.shares(lit_luxels_, rough,
-                              [&](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
-                                input_.scene.towards_point(points, input_.lights[number].origin_world, out);
-                              });
+      shares = filter_.shares(
+          lit_luxels_, rough, [&](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
+            input_.scene.towards_point(points, input_.lights[number].origin_world, out, model());
+          });
     if (learned_ != nullptr) shadows_.add({static_cast<std::uint32_t>(number), lit_luxels_, rough}, *shares);
     return *shares;
   }
@@ -183,9 +183,9 @@ class FaceLighter {
     const auto shares = filter_.shares(lit_luxels_, is_rough(std::abs(beam.value)),
                                        [&](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
                                          if (is_in_sky_)
-                                           input_.scene.towards_void(points, beam.towards_sky, out);
+                                           input_.scene.towards_void(points, beam.towards_sky, out, model());
                                          else
-                                           input_.scene.towards_sky(points, beam.towards_sky, out);
+                                           input_.scene.towards_sky(points, beam.towards_sky, out, model());
                                        });
     const LayerKind kind = beam.value < 0 ? LayerKind::kSubtract : LayerKind::kAdd;
     deposit(shares, {beam.colour, beam.style, kind, beam.takes_dirt}, io_sky);
@@ -205,6 +205,7 @@ class FaceLighter {
         normals_.push_back(input_.phong.at(
             grid_, grid_.origin_world + grid_.column_step * double(column) + grid_.row_step * double(row)));
   }
+  std::uint32_t model() const { return input_.lit.model_of_face[grid_.face]; }
   bool is_hidden(std::size_t luxel) const { return filter_.luxel_places().is_hidden(luxel); }
   const math::Vec3& normal_of(std::size_t luxel) const { return is_flat_ ? flat_normal_ : normals_[luxel]; }
   bool is_rough(float brightest) const { return brightest * input_.settings.range < kRoughBelow; }
@@ -297,10 +298,21 @@ FaceLight light_in_middle(const DirectLightInput& input, const LightGrid& grid) 
   return mean;
 }
 
-bool are_all_hidden(const SamplePlaces& places) {
+std::vector<std::uint32_t> hidden_luxels(const SamplePlaces& places) {
+  std::vector<std::uint32_t> hidden;
   for (std::size_t i = 0; i < places.leafs.size(); ++i)
-    if (!places.is_hidden(i)) return false;
-  return true;
+    if (places.is_hidden(i)) hidden.push_back(static_cast<std::uint32_t>(i));
+  return hidden;
+}
+
+// Gives some luxels the light of another map of the same size, and no other.
+void put(const FaceLight& from, std::span<const std::uint32_t> luxels, std::size_t size,
+         FaceLight& io_light) {
+  for (LightLayer& layer : io_light.layers)
+    for (const std::uint32_t luxel : luxels) layer.samples[luxel] = math::Vec3(0.0f);
+  for (const LightLayer& layer : from.layers)
+    for (const std::uint32_t luxel : luxels)
+      io_light.layer(layer.style, layer.kind, size).samples[luxel] = layer.samples[luxel];
 }
 
 }  // namespace
@@ -310,12 +322,19 @@ FaceLight direct_light_of(const DirectLightInput& input, std::size_t map, LightC
   const std::size_t face = lit.maps[map].face;
   LightGrid grid = make_light_grid(lit, map);
   SamplePlaces places = sample_places(lit, input.scene, grid, 1);
-  const bool takes_light = !lit.keys_of(face).ignores_light;
-  if (takes_light && lit.model_of_face[face] != 0 && are_all_hidden(places))
-    return light_in_middle(input, grid);
+  const SurfaceKeys& keys = lit.keys_of(face);
+  const bool takes_light = !keys.ignores_light;
+  const bool may_take_middle = takes_light && lit.model_of_face[face] != 0 && keys.auto_min_light >= 0;
+  const std::vector<std::uint32_t> hidden = hidden_luxels(places);
+  if (may_take_middle && hidden.size() == grid.size()) return light_in_middle(input, grid);
+  FaceLight middle;
+  if (may_take_middle && keys.auto_min_light > 0 && !hidden.empty()) middle = light_in_middle(input, grid);
+  const std::size_t size = grid.size();
   FaceLighter lighter(input, std::move(grid), std::move(places), out_learned);
   if (takes_light) lighter.add_all();
-  return std::move(lighter).take();
+  FaceLight light = std::move(lighter).take();
+  if (may_take_middle && keys.auto_min_light > 0) put(middle, hidden, size, light);
+  return light;
 }
 
 }  // namespace temblor::compiler

@@ -50,6 +50,7 @@ std::uint64_t hash_of_geometry(formats::Bsp unlit, const LitLevel& lit, const Li
   unlit.entities.clear();
   std::uint64_t hash = hash_of_level(unlit, lit.keys);
   if (hash == 0) return 0;
+  if (options.palette) hash = with_bytes(hash, formats::write_palette(*options.palette));
   for (const math::Vec3& offset : lit.offset_of_model) hash = with_vector(hash, offset);
   return std::max<std::uint64_t>(1, base::hash_with(hash, static_cast<std::uint32_t>(options.extra)));
 }

@@ -36,12 +36,29 @@ bool may_be_lit(const world::Level& level, const world::Face& face, std::int32_t
          face.surfedge_count >= 3;
 }
 
-// The share of light that an ordinary texel lets through: tinted by nothing, as glass is drawn by games.
-math::Vec3 passes(const SurfaceKeys& keys) {
-  return math::Vec3(1 - keys.light_alpha);
+constexpr std::size_t kHole = 255;  // the palette index that is not drawn
+
+// What passes by palette index. Glass tints light by its texels, the more the less transparent it is; without
+// a palette it just takes light away.
+std::vector<math::Vec3> passes_by_texel(const SurfaceKeys& keys, bool has_holes,
+                                        const std::optional<formats::Palette>& palette) {
+  std::vector<math::Vec3> passes(kHole + 1, math::Vec3(1 - keys.light_alpha));
+  for (std::size_t i = 0; i < passes.size() && palette && keys.light_alpha < 1; ++i) {
+    const formats::Rgb& colour = (*palette)[i];
+    const math::Vec3 tint = math::Vec3(colour.r, colour.g, colour.b) / 255.0f;
+    passes[i] = glm::mix(math::Vec3(1.0f), tint, keys.light_alpha);
+  }
+  if (has_holes) passes[kHole] = math::Vec3(1.0f);
+  return passes;
 }
 
-SieveSurface sieve_of(const LitLevel& lit, std::size_t number) {
+ShadowReceivers receivers_of(const SurfaceKeys& keys) {
+  if (keys.shadows_own_model_only) return ShadowReceivers::kOwnModel;
+  return keys.shadows_world_only ? ShadowReceivers::kWorld : ShadowReceivers::kAll;
+}
+
+SieveSurface sieve_of(const LitLevel& lit, std::size_t number,
+                      const std::optional<formats::Palette>& palette) {
   const world::Level& level = *lit.level;
   const world::Face& face = level.faces[number];
   const world::Texture& texture = level.texture(face.texture);
@@ -55,8 +72,15 @@ SieveSurface sieve_of(const LitLevel& lit, std::size_t number) {
   sieve.t_offset = axes.t_offset - glm::dot(offset, axes.t_axis);
   sieve.width = texture.width;
   sieve.height = texture.height;
-  if (texture.kind == world::TextureKind::kCutout) sieve.texels = texture.mips[0];
-  sieve.passes = passes(lit.keys_of(number));
+  const SurfaceKeys& keys = lit.keys_of(number);
+  const bool has_holes = texture.kind == world::TextureKind::kCutout;
+  const bool has_texels = texture.mips[0].size() == std::size_t{texture.width} * texture.height;
+  sieve.texels = texture.mips[0];
+  sieve.passes = math::Vec3(1 - keys.light_alpha);
+  if (has_texels && (has_holes || keys.light_alpha < 1))
+    sieve.passes_by_texel = passes_by_texel(keys, has_holes, palette);
+  sieve.model = lit.model_of_face[number];
+  sieve.receivers = receivers_of(keys);
   return sieve;
 }
 
@@ -73,7 +97,7 @@ void add_fan(const LitLevel& lit, std::size_t number, std::uint32_t first_vertex
 }
 
 void add_occluder(const LitLevel& lit, std::size_t number, std::uint32_t first_vertex,
-                  Occluders& io_occluders) {
+                  const std::optional<formats::Palette>& palette, Occluders& io_occluders) {
   const world::Level& level = *lit.level;
   const world::Face& face = level.faces[number];
   const SurfaceKeys& keys = lit.keys_of(number);
@@ -85,9 +109,10 @@ void add_occluder(const LitLevel& lit, std::size_t number, std::uint32_t first_v
     add_fan(lit, number, first_vertex, surface, io_occluders.skies);
   } else if (kind == world::TextureKind::kLiquid || !keys.casts_shadow) {
     return;
-  } else if (kind == world::TextureKind::kCutout || keys.light_alpha < 1) {
+  } else if (kind == world::TextureKind::kCutout || keys.light_alpha < 1 ||
+             receivers_of(keys) != ShadowReceivers::kAll) {
     const auto surface = static_cast<std::uint32_t>(io_occluders.sieve_surfaces.size());
-    io_occluders.sieve_surfaces.push_back(sieve_of(lit, number));
+    io_occluders.sieve_surfaces.push_back(sieve_of(lit, number, palette));
     add_fan(lit, number, first_vertex, surface, io_occluders.sieves);
   } else {
     add_fan(lit, number, first_vertex, static_cast<std::uint32_t>(number), io_occluders.opaque);
@@ -133,7 +158,7 @@ base::Result<LitLevel> make_lit_level(formats::Bsp bsp, FaceKeys keys) {
   return lit;
 }
 
-Occluders occluders_of(const LitLevel& lit) {
+Occluders occluders_of(const LitLevel& lit, const std::optional<formats::Palette>& palette) {
   const world::Level& level = *lit.level;
   Occluders occluders;
   occluders.vertices = level.vertices;
@@ -147,7 +172,7 @@ Occluders occluders_of(const LitLevel& lit) {
         occluders.vertices.push_back(vertex + lit.offset_of_model[model]);
     }
     for (std::uint32_t i = 0; i < shape.face_count; ++i)
-      add_occluder(lit, std::size_t{shape.first_face} + i, first_vertex, occluders);
+      add_occluder(lit, std::size_t{shape.first_face} + i, first_vertex, palette, occluders);
   }
   return occluders;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
@@ -10,6 +11,7 @@
 #include "compiler/light/ray_scene.h"
 #include "compiler/surface_keys.h"
 #include "formats/bsp.h"
+#include "formats/palette.h"
 #include "math/vec.h"
 #include "world/level.h"
 
@@ -33,7 +35,8 @@ struct LitLevel {
 base::Result<LitLevel> make_lit_level(formats::Bsp bsp, FaceKeys keys);
 
 // Faces that stop light: of the world all but sky and liquids, and what asks to cast a shadow. Surfaces of
-// opaque triangles are face numbers. Texels stay the level's.
-Occluders occluders_of(const LitLevel& lit);
+// opaque triangles are face numbers. Texels stay the level's. `palette`: what tints light through glass;
+// without it glass is grey.
+Occluders occluders_of(const LitLevel& lit, const std::optional<formats::Palette>& palette);
 
 }  // namespace temblor::compiler

@@ -15,7 +15,6 @@ namespace {
 constexpr std::size_t kLanes = 16;
 constexpr float kLossSteps = 65536;  // for each factor of e
 constexpr float kLeastShare = 1.0f / 1024;
-constexpr std::uint8_t kHole = 255;  // the palette index that is not drawn
 
 struct ReleaseDevice {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
@@ -46,6 +45,7 @@ struct LossContext {
   EmbreeContext embree;
   std::array<std::array<std::int32_t, 3>, kLanes> lost{};
   std::array<PassedPanes, kLanes> passed{};
+  std::uint32_t receiver_model = 0;
 };
 struct TieContext {
   EmbreeContext embree;
@@ -58,20 +58,31 @@ std::uint32_t wrapped_texel(float coordinate, std::uint32_t size) {
   return static_cast<std::uint32_t>(texel < 0 ? texel + std::int64_t{size} : texel);
 }
 
-bool has_hole_at(const SieveSurface& surface, const math::Vec3& point) {
-  if (surface.texels.empty()) return false;
+math::Vec3 passes_at(const SieveSurface& surface, const math::Vec3& point) {
+  if (surface.passes_by_texel.empty()) return surface.passes;
   const std::uint32_t s = wrapped_texel(glm::dot(point, surface.s_axis) + surface.s_offset, surface.width);
   const std::uint32_t t = wrapped_texel(glm::dot(point, surface.t_axis) + surface.t_offset, surface.height);
-  return surface.texels[std::size_t{t} * surface.width + s] == kHole;
+  return surface.passes_by_texel[surface.texels[std::size_t{t} * surface.width + s]];
 }
 
 // The share that passes at a point, along a direction.
 math::Vec3 share_through(const SieveSurface& surface, const math::Vec3& point, const math::Vec3& direction) {
-  if (has_hole_at(surface, point)) return math::Vec3(1.0f);
-  const bool blocks = surface.passes == math::Vec3(0.0f);
+  const math::Vec3 passes = passes_at(surface, point);
   // A pane has two sides, and is to count once.
-  if (!blocks && glm::dot(direction, surface.normal) > 0) return math::Vec3(1.0f);
-  return surface.passes;
+  if (passes != math::Vec3(0.0f) && glm::dot(direction, surface.normal) > 0) return math::Vec3(1.0f);
+  return passes;
+}
+
+bool falls_on(const SieveSurface& surface, std::uint32_t receiver_model) {
+  switch (surface.receivers) {
+    case ShadowReceivers::kAll:
+      break;
+    case ShadowReceivers::kOwnModel:
+      return receiver_model == surface.model;
+    case ShadowReceivers::kWorld:
+      return receiver_model == 0;
+  }
+  return true;
 }
 
 struct SkySet {
@@ -102,7 +113,10 @@ void pass_sieves(const RTCFilterFunctionNArguments* arguments) {
                             RTCRayN_org_z(arguments->ray, lanes, i));
     const math::Vec3 point = origin + direction * RTCRayN_tfar(arguments->ray, lanes, i);
     const std::uint32_t number = sieves.triangles[triangle].surface;
-    const math::Vec3 share = share_through(sieves.surfaces[number], point, direction);
+    const SieveSurface& surface = sieves.surfaces[number];
+    const math::Vec3 share = falls_on(surface, losses.receiver_model)
+                                 ? share_through(surface, point, direction)
+                                 : math::Vec3(1.0f);
     if (std::max({share.x, share.y, share.z}) < kLeastShare) continue;  // stays hit
     arguments->valid[i] = 0;
     const unsigned lane = RTCRayN_id(arguments->ray, lanes, i);
@@ -233,8 +247,10 @@ struct RayScene::Scenes {
   std::vector<OccluderTriangle> opaque_triangles;
 
   // Shares of the rays that `mask` names; the others' are left alone.
-  void shares(const LaneMask& mask, RTCRay16& io_rays, math::Vec3* out_share) const {
+  void shares(const LaneMask& mask, RTCRay16& io_rays, math::Vec3* out_share,
+              std::uint32_t receiver_model) const {
     LossContext context;
+    context.receiver_model = receiver_model;
     init_context(context.embree);
     occluded16(mask.lane.data(), opaque.get(), context.embree, io_rays);
     if (!sieves.triangles.empty()) {
@@ -288,7 +304,7 @@ bool RayScene::has_sky() const {
 }
 
 void RayScene::towards_point(std::span<const math::Vec3> points, const math::Vec3& source_world,
-                             std::span<math::Vec3> out_share) const {
+                             std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
   CHECK(points.size() == out_share.size());
   RTCRay16 rays;
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
@@ -296,12 +312,12 @@ void RayScene::towards_point(std::span<const math::Vec3> points, const math::Vec
     for (std::size_t i = 0; i < count; ++i)
       set_lane(rays, i, points[first + i], source_world - points[first + i], 1);
     fill_lanes(rays, count);
-    scenes_->shares(first_lanes(count), rays, out_share.data() + first);
+    scenes_->shares(first_lanes(count), rays, out_share.data() + first, receiver_model);
   }
 }
 
 void RayScene::towards_sky(std::span<const math::Vec3> points, const math::Vec3& direction,
-                           std::span<math::Vec3> out_share) const {
+                           std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
   CHECK(points.size() == out_share.size());
   RTCRayHit16 rays;
   EmbreeContext context;
@@ -318,19 +334,19 @@ void RayScene::towards_sky(std::span<const math::Vec3> points, const math::Vec3&
     intersect16(mask.lane.data(), scenes_->sky.get(), context, rays);
     for (std::size_t i = 0; i < count; ++i)
       if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) mask.lane[i] = 0;
-    if (mask.any()) scenes_->shares(mask, rays.ray, out_share.data() + first);
+    if (mask.any()) scenes_->shares(mask, rays.ray, out_share.data() + first, receiver_model);
   }
 }
 
 void RayScene::towards_void(std::span<const math::Vec3> points, const math::Vec3& direction,
-                            std::span<math::Vec3> out_share) const {
+                            std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
   CHECK(points.size() == out_share.size());
   RTCRay16 rays;
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, points.size() - first);
     for (std::size_t i = 0; i < count; ++i) set_lane(rays, i, points[first + i], direction, kToTheSky);
     fill_lanes(rays, count);
-    scenes_->shares(first_lanes(count), rays, out_share.data() + first);
+    scenes_->shares(first_lanes(count), rays, out_share.data() + first, receiver_model);
   }
 }
 

@@ -22,14 +22,20 @@ struct OccluderTriangle {
   std::uint32_t surface = 0;               // what a hit is reported as
 };
 
-// Lets light through where its texture has holes, and the share `passes` elsewhere.
+// On the faces of which models a shadow falls.
+enum class ShadowReceivers : std::uint8_t { kAll, kOwnModel, kWorld };
+
+// Lets some of the light through, or stops it for some receivers only.
 struct SieveSurface {
   math::Vec3 normal{0.0f};
   math::Vec3 s_axis{0.0f}, t_axis{0.0f};
   float s_offset = 0, t_offset = 0;
   std::uint32_t width = 1, height = 1;
-  std::span<const std::uint8_t> texels;  // width x height; empty: no holes; outlives the scene
-  math::Vec3 passes{0.0f};               // counted where light comes in from the front
+  std::span<const std::uint8_t> texels;     // width x height; outlives the scene
+  math::Vec3 passes{0.0f};                  // the share; counted where light comes in from the front
+  std::vector<math::Vec3> passes_by_texel;  // instead, by palette index; empty: the same everywhere
+  std::uint32_t model = 0;
+  ShadowReceivers receivers = ShadowReceivers::kAll;
 };
 
 struct Occluders {
@@ -56,15 +62,16 @@ class RayScene {
   RayScene& operator=(RayScene&&) noexcept;
 
   // The share of light, 0 to 1 a channel, that comes from `source_world` to each point. Same sizes.
+  // `receiver_model`: that of the face that the points lie on.
   void towards_point(std::span<const math::Vec3> points, const math::Vec3& source_world,
-                     std::span<math::Vec3> out_share) const;
+                     std::span<math::Vec3> out_share, std::uint32_t receiver_model = 0) const;
   // The same along `direction` (a unit vector away from the points), which has to end on sky.
   void towards_sky(std::span<const math::Vec3> points, const math::Vec3& direction,
-                   std::span<math::Vec3> out_share) const;
+                   std::span<math::Vec3> out_share, std::uint32_t receiver_model = 0) const;
   // The same from points inside a brush of sky, which has no faces towards the void outside the level: what
   // meets nothing at all arrives.
   void towards_void(std::span<const math::Vec3> points, const math::Vec3& direction,
-                    std::span<math::Vec3> out_share) const;
+                    std::span<math::Vec3> out_share, std::uint32_t receiver_model = 0) const;
   // What opaque surface lies first along each of `directions` (unit vectors), up to max_distance.
   void nearest(std::span<const math::Vec3> points, std::span<const math::Vec3> directions, float max_distance,
                std::span<RayHit> out_hits) const;

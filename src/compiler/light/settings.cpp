@@ -26,6 +26,7 @@ BounceSettings bounce_of(const formats::Entity& worldspawn) {
   constexpr float kMostBounces = 16;  // what is left after them is below one step of the light map
   BounceSettings bounce;
   bounce.count = static_cast<int>(std::clamp(number_or(worldspawn, "bounce", 0), 0.0f, kMostBounces));
+  bounce.styled = number_or(worldspawn, "bouncestyled", 0) > 0;
   bounce.scale = std::max(0.0f, number_or(worldspawn, "bouncescale", bounce.scale));
   bounce.colour_scale = std::clamp(number_or(worldspawn, "bouncecolorscale", 0), 0.0f, 1.0f);
   return bounce;

@@ -15,6 +15,7 @@ struct DirtSettings {
 struct BounceSettings {
   int count = 0;
   float scale = 1;
+  bool styled = false;     // whether light of other styles than 0 bounces, in its own style
   float colour_scale = 0;  // 0: every surface is grey, 1: it has its texture's colour
 };
 
