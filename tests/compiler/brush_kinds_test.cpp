@@ -197,12 +197,17 @@ TEST(BrushKinds, ClipAloneIsAModelThatPointsPass) {
   EXPECT_EQ(in_model(Hull::kPlayer), Contents::kSolid);
 }
 
-TEST(BrushKinds, LiquidAloneStopsNoBox) {
-  const DraftResult result =
-      draft_of(room_with("func_water", "", box_text({-32, -32, 0}, {32, 32, 64}, "*water")));
-  const auto level = world::make_level(result.draft.bsp, "room").value();
-  EXPECT_EQ(world::hull_contents(*level, world::ModelIndex{1}, Hull::kPoint, {0, 0, 32}), Contents::kWater);
-  EXPECT_EQ(world::hull_contents(*level, world::ModelIndex{1}, Hull::kPlayer, {0, 0, 32}), Contents::kEmpty);
+// As the field's compilers have it: what a place is filled with is asked of the world alone.
+TEST(BrushKinds, LiquidAndSkyOfABrushEntityAreSolid) {
+  for (const char* texture : {"*water", "sky1"}) {
+    const DraftResult result =
+        draft_of(room_with("func_wall", "", box_text({-32, -32, 0}, {32, 32, 64}, texture)));
+    const auto level = world::make_level(result.draft.bsp, "room").value();
+    for (const Hull hull : {Hull::kPoint, Hull::kPlayer})
+      EXPECT_EQ(world::hull_contents(*level, world::ModelIndex{1}, hull, {0, 0, 32}), Contents::kSolid)
+          << texture;
+    EXPECT_EQ(count_faces(result, texture), 6) << "none seen from inside";
+  }
 }
 
 TEST(BrushKinds, HintOutsideOfTheLevelDoesNothing) {
