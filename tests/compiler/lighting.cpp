@@ -1,5 +1,7 @@
 #include "compiler/lighting.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <glm/matrix.hpp>
 #include <limits>
