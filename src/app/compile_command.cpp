@@ -58,7 +58,7 @@ base::Status check(const CompileCommandOptions& options) {
   if (options.source.empty() && !makes_wad(options))
     return usage("map is required; or --textures DIR -o NAME.wad, to make a WAD alone");
   const bool shared = options.shard || options.merge;
-  const bool from_level = std::filesystem::path(options.source).extension() == ".bsp";
+  const bool from_level = is_level(options.source);
   if (shared && (!options.only || *options.only == CompileStage::kBsp))
     return usage("--shard and --merge need --only vis or --only light");
   if (options.only && (options.no_vis || options.no_light))
@@ -84,7 +84,7 @@ base::Status write_wad(const CompileCommandOptions& options, const GameFolders& 
 }
 
 // Until it is interrupted. What goes wrong is told, and the next version of the map tried.
-[[noreturn]] void run_and_watch(const CompileCommandOptions& options, CompileSession& io_session) {
+base::Status run_and_watch(const CompileCommandOptions& options, CompileSession& io_session) {
   FileWatch watch;
   watch.add({options.source});  // before it is read: a save during the run counts
   for (;;) {
@@ -95,6 +95,7 @@ base::Status write_wad(const CompileCommandOptions& options, const GameFolders& 
       done = write(io_session, *report, !options.clean);
     else
       done = report.error();
+    if (io_session.was_interrupted()) return done;
     if (done.ok())
       print_times(*report, io_session.paths());
     else
@@ -147,12 +148,9 @@ base::Status run_compile(const CompileCommandOptions& options, const GameFolders
   TRY_STATUS(check(options));
   if (makes_wad(options)) return write_wad(options, folders);
   TRY(const std::unique_ptr<CompileSession> session, CompileSession::begin(options, folders));
-  if (options.watch) run_and_watch(options, *session);
+  if (options.watch) return run_and_watch(options, *session);
   if (options.shard) return run_shard(*options.only, *options.shard, *session);
-  if (options.merge) {
-    TRY_STATUS(merge_shards(*options.only, *session));
-    return write_level(session->build(), std::nullopt, session->paths(), true);
-  }
+  if (options.merge) return merge_shards(*options.only, *session);
   TRY(const compiler::CompileReport report, session->run());
   TRY_STATUS(write(*session, report, !options.clean));
   print_summary(session->build(), report, session->paths());

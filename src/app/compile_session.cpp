@@ -25,10 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 using compiler::StageWish;
 
-bool is_level(const fs::path& source) {
-  return base::to_lower(source.extension().string()) == ".bsp";
-}
-
 // One line of progress for each stage; Ctrl-C is held back while visibility can be saved.
 class TerminalWatcher : public compiler::CompileWatcher {
  public:
@@ -105,12 +101,40 @@ base::Result<compiler::Build> build_of_file(const fs::path& bsp_path, bool water
       .with_file(bsp_path.string());
 }
 
+// Whether both are one file, whatever they are called by.
+bool are_one_file(const fs::path& a, const fs::path& b) {
+  std::error_code failure;
+  return a == b || (fs::equivalent(a, b, failure) && !failure);
+}
+
+// Nothing that is read, or lies beside the level, must be written over by it.
+base::Status check_output(const fs::path& source, const LevelPaths& paths) {
+  if (!is_level(source) && are_one_file(source, paths.bsp))
+    return base::Error{base::ErrorCode::kUsage, "is the map itself: -o names the level that is made of it",
+                       paths.bsp.string()};
+  for (const fs::path& beside : {paths.lit, paths.points, paths.build})
+    if (beside == paths.bsp)
+      return base::Error{base::ErrorCode::kUsage,
+                         "is what another file beside the level is called: -o NAME.bsp", paths.bsp.string()};
+  return base::Ok{};
+}
+
+fs::path output_of(const CompileCommandOptions& options) {
+  if (!options.out.empty()) return options.out;
+  return is_level(options.source) ? fs::path(options.source)
+                                  : fs::path(options.source).replace_extension(".bsp");
+}
+
 int thread_count(const CompileCommandOptions& options) {
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   return options.threads.value_or(0) == 0 ? cores : *options.threads;
 }
 
 }  // namespace
+
+bool is_level(const fs::path& source) {
+  return base::to_lower(source.extension().string()) == ".bsp";
+}
 
 CompileSession::CompileSession(const CompileCommandOptions& options, formats::Palette palette,
                                LevelPaths paths)
@@ -119,11 +143,11 @@ CompileSession::CompileSession(const CompileCommandOptions& options, formats::Pa
 base::Result<std::unique_ptr<CompileSession>> CompileSession::begin(const CompileCommandOptions& options,
                                                                     const GameFolders& folders) {
   TRY(const assets::Look look, find_look(folders));
-  const fs::path out =
-      options.out.empty() ? fs::path(options.source).replace_extension(".bsp") : fs::path(options.out);
-  std::unique_ptr<CompileSession> session(new CompileSession(options, look.palette, level_paths(out)));
+  const LevelPaths paths = level_paths(output_of(options));
+  TRY_STATUS(check_output(options.source, paths));
+  std::unique_ptr<CompileSession> session(new CompileSession(options, look.palette, paths));
   // A level that becomes another one begins with what is in it.
-  const bool is_its_own_source = !is_level(options.source) || fs::path(options.source) == out;
+  const bool is_its_own_source = !is_level(options.source) || are_one_file(options.source, paths.bsp);
   if (!options.clean && is_its_own_source) session->build_ = read_build_file(session->paths_);
   return session;
 }
@@ -142,10 +166,13 @@ base::Result<compiler::CompileReport> CompileSession::run(const compiler::Compil
   compiler::Warnings warnings;
   TerminalWatcher watcher(interrupt_, paths_, !options_.clean);
   source_files_.clear();
+  if (options_.clean) build_ = {};
   const auto stages = [&]() -> base::Result<compiler::CompileReport> {
     if (!is_level(options_.source)) return run_map(how, watcher, warnings);
     if (build_.bsp.models.empty()) {
+      base::ByteVector begun = std::move(build_.visibility_state);
       TRY(build_, build_of_file(options_.source, how.draft.water_is_transparent));
+      build_.visibility_state = std::move(begun);
     }
     return compiler::finish_level(palette_, how, jobs_, watcher, build_, warnings);
   };

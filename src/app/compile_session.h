@@ -16,9 +16,13 @@
 
 namespace temblor::app {
 
+// A .bsp, and no map.
+bool is_level(const std::filesystem::path& source);
+
 class CompileSession {
  public:
-  // Finds the palette and what earlier runs left of the level.
+  // Finds the palette and what earlier runs left of the level. kUsage where the level would be written over
+  // the map, or over a file of its own.
   static base::Result<std::unique_ptr<CompileSession>> begin(const CompileCommandOptions& options,
                                                              const GameFolders& folders);
 
@@ -30,6 +34,9 @@ class CompileSession {
   compiler::Build& build() { return build_; }
   const LevelPaths& paths() const { return paths_; }
   base::Jobs& jobs() { return jobs_; }
+  // Whether the last run ended because of Ctrl-C.
+  bool was_interrupted() const { return interrupt_.was_noted(); }
+  Interrupt& interrupt() { return interrupt_; }
   compiler::LightOptions light_options() const;
   // What the last run read: to be watched.
   const std::vector<std::filesystem::path>& source_files() const { return source_files_; }

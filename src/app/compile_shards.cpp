@@ -55,14 +55,24 @@ bool visibility_is_finished(CompileSession& session) {
 
 base::Status write_visibility_shard(const Shard& shard, const fs::path& path, CompileSession& io_session) {
   if (visibility_is_finished(io_session)) return base::Ok{};
-  Progress line("visibility");
-  const auto progress = [&](std::size_t done, std::size_t total) {
-    line.update(done, total);
-    return true;
-  };
-  const compiler::VisibilityShard made = compiler::make_visibility_shard(
-      io_session.build(), {shard.number - 1, shard.count}, io_session.jobs(), progress);
-  return replace_file(path, made.state);
+  Interrupt& interrupt = io_session.interrupt();
+  interrupt.hold();
+  compiler::VisibilityShard made;
+  {
+    Progress line("visibility");
+    const auto progress = [&](std::size_t done, std::size_t total) {
+      line.update(done, total);
+      return !interrupt.was_noted();
+    };
+    made = compiler::make_visibility_shard(io_session.build(), {shard.number - 1, shard.count},
+                                           io_session.jobs(), progress);
+  }
+  const base::Status written = replace_file(path, made.state);
+  interrupt.let_go();
+  TRY_STATUS(written);
+  if (made.end == compiler::VisibilityEnd::kStopped)
+    return base::Error{base::ErrorCode::kIo, "stopped; --merge joins what is done of it", path.string()};
+  return base::Ok{};
 }
 
 base::Status write_light_shard(const Shard& shard, const fs::path& path, CompileSession& io_session) {
@@ -94,18 +104,32 @@ base::Status merge(CompileStage stage, std::span<const base::Bytes> shards, Comp
   return merged;
 }
 
+// Visibility of what leaks is none.
+base::Status check_closed(CompileStage stage, const compiler::CompileReport& report,
+                          const CompileSession& session) {
+  if (stage != CompileStage::kVisibility || !report.leak) return base::Ok{};
+  return base::Error{base::ErrorCode::kMalformed,
+                     fmt::format("the level leaks, so it has no visibility: entity {} ({}) sees the outside; "
+                                 "compile --only bsp shows the way",
+                                 report.leak->entity, report.leak->classname),
+                     session.paths().bsp.string()};
+}
+
 }  // namespace
 
 base::Status run_shard(CompileStage stage, const Shard& shard, CompileSession& io_session) {
-  TRY_STATUS(io_session.run_bsp());
+  TRY(const compiler::CompileReport report, io_session.run_bsp());
+  TRY_STATUS(check_closed(stage, report, io_session));
   const fs::path path = shard_path(stage, shard, io_session.paths());
   if (stage == CompileStage::kVisibility) return write_visibility_shard(shard, path, io_session);
   return write_light_shard(shard, path, io_session);
 }
 
 base::Status merge_shards(CompileStage stage, CompileSession& io_session) {
-  TRY_STATUS(io_session.run_bsp());
-  if (stage == CompileStage::kVisibility && visibility_is_finished(io_session)) return base::Ok{};
+  TRY(const compiler::CompileReport report, io_session.run_bsp());
+  TRY_STATUS(check_closed(stage, report, io_session));
+  const auto write = [&] { return write_level(io_session.build(), report.leak, io_session.paths(), true); };
+  if (stage == CompileStage::kVisibility && visibility_is_finished(io_session)) return write();
   TRY(const std::vector<fs::path> files, find_shards(stage, io_session.paths()));
   std::vector<base::ByteVector> bytes;
   for (const fs::path& file : files) {
@@ -113,8 +137,11 @@ base::Status merge_shards(CompileStage stage, CompileSession& io_session) {
     bytes.push_back(std::move(shard));
   }
   const std::vector<base::Bytes> shards(bytes.begin(), bytes.end());
-  TRY_STATUS(merge(stage, shards, io_session).with_file(files.front().string()));
-  std::error_code ignored;
+  const fs::path all_of_them =
+      fs::path(io_session.paths().bsp).replace_extension(fmt::format(".{}-*", name_of(stage)));
+  TRY_STATUS(merge(stage, shards, io_session).with_file(all_of_them.string()));
+  TRY_STATUS(write());
+  std::error_code ignored;  // only now: until here they are all that there is of the work
   for (const fs::path& file : files) fs::remove(file, ignored);
   return base::Ok{};
 }

@@ -8,11 +8,11 @@
 
 namespace temblor::app {
 
-// Works out a share of `stage` (visibility or light) and writes its file.
+// Works out a share of `stage` (visibility or light) and writes its file. Ctrl-C leaves what is done of a
+// share of visibility in it, and nothing of light; then, and for visibility of a level that leaks, an error.
 base::Status run_shard(CompileStage stage, const Shard& shard, CompileSession& io_session);
 
-// Joins the files of all shards of `stage` and takes them away; says how far the stage is. The level is then
-// in `io_session`'s build, and not written yet.
+// Joins the files of all shards of `stage`, writes the level and takes them away; says how far the stage is.
 base::Status merge_shards(CompileStage stage, CompileSession& io_session);
 
 }  // namespace temblor::app

@@ -1,8 +1,11 @@
 #include "app/written_file.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <fstream>
 #include <optional>
+#include <string>
 #include <system_error>
 
 namespace temblor::app {
@@ -22,6 +25,14 @@ std::optional<std::string> write_bytes(const std::filesystem::path& path, base::
   return file ? std::nullopt : std::optional(std::generic_category().message(errno));
 }
 
+// What a link stands for: the link stays.
+std::filesystem::path place_of(const std::filesystem::path& path) {
+  std::error_code failure;
+  if (!std::filesystem::is_symlink(path, failure)) return path;
+  std::filesystem::path place = std::filesystem::canonical(path, failure);
+  return failure ? path : place;
+}
+
 }  // namespace
 
 base::Status replace_file(const std::filesystem::path& path, base::Bytes bytes) {
@@ -31,13 +42,15 @@ base::Status replace_file(const std::filesystem::path& path, base::Bytes bytes) 
     const auto reason = write_bytes(path, bytes);
     return reason ? base::Status(cannot_write(path, *reason)) : base::Ok{};
   }
-  std::filesystem::path beside = path;
-  beside += ".new";
+  const std::filesystem::path place = place_of(path);
+  // Two programs that write the same file at once must not write into each other's.
+  std::filesystem::path beside = place;
+  beside += "." + std::to_string(getpid()) + ".new";
   if (const auto reason = write_bytes(beside, bytes)) {
     std::filesystem::remove(beside, failure);
     return cannot_write(path, *reason);
   }
-  std::filesystem::rename(beside, path, failure);
+  std::filesystem::rename(beside, place, failure);
   if (!failure) return base::Ok{};
   const std::string reason = failure.message();
   std::filesystem::remove(beside, failure);

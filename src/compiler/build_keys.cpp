@@ -95,11 +95,14 @@ bool has_brushes(const formats::Entity& entity) {
 std::vector<formats::Entity> entities_for_light(const std::vector<formats::Entity>& entities) {
   std::vector<formats::Entity> concerned;
   for (const formats::Entity& entity : entities) {
-    if (has_brushes(entity)) {
+    // Of lights all keys count, also of those with brushes: light reads "wait" and "delay".
+    if (is_light(entity)) {
+      concerned.push_back(entity);
+    } else if (has_brushes(entity)) {
       formats::Entity& copy = concerned.emplace_back();
       for (const auto& pair : entity.pairs)
         if (!is_for_the_game_alone(pair.first)) copy.pairs.push_back(pair);
-    } else if (is_light(entity) || entity.find("targetname")) {
+    } else if (entity.find("targetname")) {
       concerned.push_back(entity);
     }
   }
@@ -113,6 +116,8 @@ StageKey key_of_brushes(const formats::Map& map, TextureSize texture_size, const
   hash.add(std::uint64_t{options.water_is_transparent});
   hash.add(options.subdivide_texels);
   hash.add(std::uint64_t{options.fill_outside});
+  // A map that does not begin with worldspawn is refused.
+  hash.add(map.entities.empty() ? std::string_view{} : map.entities.front().fields.classname());
   for (const formats::MapEntity& entity : map.entities) {
     if (is_point_entity(entity)) continue;
     add_brush_keys(entity.fields, hash);

@@ -228,10 +228,11 @@ base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& fac
     const ShardHeader& header = shard.header;
     if (header.level != level)
       return base::error(base::ErrorCode::kUsage, "light shard {} of {} is of another level or other options",
-                         header.index, header.count);
+                         header.index + 1, header.count);
     if (header.count != shards.size() || merged[header.index])
-      return base::error(base::ErrorCode::kUsage, "light shard {} of {} among {} shards", header.index,
-                         header.count, shards.size());
+      return base::error(base::ErrorCode::kUsage, "light shard {} of {} {} among {} shards", header.index + 1,
+                         header.count, header.count == shards.size() ? "is there twice" : "is",
+                         shards.size());
     merged[header.index] = true;
     for (auto& [map, map_light] : shard.maps) light[map] = std::move(map_light);
   }

@@ -208,6 +208,20 @@ TEST_F(CompileProgram, WatchCompilesWhatIsSaved) {
   EXPECT_TRUE(wait_for([&] { return has("monster_ogre"); }));
 }
 
+TEST_F(CompileProgram, WatchMakesEverythingAnewWhenAsked) {
+  folder_.write("room.map", lit_room());
+  const std::string wait_for_runs =
+      "for i in $(seq 300); do [ $(grep -c room.bsp: log) -ge {} ] && break; sleep 0.1; done; ";
+  const std::string command = fmt::format("cd '{}' && ('{}' compile room.map --watch --clean >log 2>&1 & ",
+                                          folder_.path().string(), TEMBLOR_PROGRAM) +
+                              fmt::format(fmt::runtime(wait_for_runs), 1) + "touch room.map; " +
+                              fmt::format(fmt::runtime(wait_for_runs), 2) + "kill $!)";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string log = read_text(folder_.path() / "log");
+  EXPECT_THAT(log, ContainsRegex("room.bsp:.*\n(.*\n)*room.bsp:")) << "two runs";
+  EXPECT_THAT(log, Not(HasSubstr("unchanged")));
+}
+
 // Rows of pillars, each a little out of line: slow to work out what is seen between them.
 std::string hall_of_pillars(int side) {
   const double width = side * 64;
@@ -239,6 +253,20 @@ TEST_F(CompileProgram, StoppedVisibilityGoesOn) {
                 .exit_status,
             0);
   EXPECT_EQ(read_text(folder_.path() / "hall.bsp"), read_text(folder_.path() / "whole.bsp"));
+}
+
+TEST_F(CompileProgram, WatchEndsWhenVisibilityIsStopped) {
+  folder_.write("hall.map", hall_of_pillars(effort(14, 10)));
+  const std::string map = (folder_.path() / "hall.map").string();
+  const auto exists = [&](const char* name) { return std::filesystem::exists(folder_.path() / name); };
+  for (int wait_ms = 100; wait_ms < 10'000 && !exists("hall.build"); wait_ms += wait_ms / 2) {
+    auto program = app::ChildProcess::start(
+        {TEMBLOR_PROGRAM, "compile", map, "--watch", "--no-light", "--threads", "1"});
+    ASSERT_TRUE(program.ok()) << program.error().message();
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
+  }  // its destructor waits for the end
+  EXPECT_TRUE(exists("hall.build"));
+  EXPECT_FALSE(exists("hall.bsp")) << "it was finished before it could be stopped";
 }
 
 // The script in docs/, with processes in place of machines.

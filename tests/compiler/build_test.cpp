@@ -38,6 +38,7 @@ struct Place {
   std::string lamp_name, door_speed = "100", wall = "wall";
   double pillar_x = 64;
   int minlight = 0;
+  std::string glow_wait = "1";
 
   std::string text() const {
     std::string brushes = walls_text({-128, -128, 0}, {384, 128, 128}, wall);
@@ -50,6 +51,8 @@ struct Place {
            entity_text("light", fmt::format("\"origin\" \"{} {} {}\"\n\"light\" \"{}\"{}", lamp.x, lamp.y,
                                             lamp.z, lamp_brightness, name)) +
            entity_text("light", "\"origin\" \"300 0 96\"\n\"_color\" \"1 0.5 0\"") +
+           entity_text("light_glow", fmt::format("\"origin\" \"200 0 60\"\n\"wait\" \"{}\"", glow_wait),
+                       box_text({250, 90, 0}, {260, 100, 20}, "lamp")) +
            entity_text("func_door", fmt::format("\"speed\" \"{}\"", door_speed),
                        box_text({124, -32, 0}, {132, 32, 96}, "door"));
   }
@@ -112,6 +115,7 @@ TEST(Build, OnlyWhatChangedIsMadeAnew) {
       {"a lamp's place", [](Place& place) { place.lamp.x = 20; }, {"light"}},
       {"a lamp's name", [](Place& place) { place.lamp_name = "lamp"; }, {"light"}},
       {"the world's least light", [](Place& place) { place.minlight = 9; }, {"light"}},
+      {"how far a light with a brush reaches", [](Place& place) { place.glow_wait = "4"; }, {"light"}},
       {"a brush", [](Place& place) { place.pillar_x = 32; }, {"bsp", "visibility", "light"}},
       {"a texture", [](Place& place) { place.wall = "brick"; }, {"bsp", "visibility", "light"}},
       {"a lamp's place, into a pillar",
@@ -201,6 +205,17 @@ TEST(Build, LeakIsLookedForEachTime) {
   place.monster = {0, 0, 40};
   EXPECT_FALSE(bring_up_to_date(place, {}, build).leak);
   expect_same_level(build, make(place));
+}
+
+TEST(Build, MapWithoutWorldspawnInFrontIsRefusedEachTime) {
+  const std::string text = Place{}.text();
+  Build build = make({});
+  base::Jobs jobs(1, base::JobBackend::kStdThread);
+  compiler::CompileWatcher nobody;
+  compiler::Warnings warnings;
+  EXPECT_FALSE(compiler::compile_level(map_of(point_text("monster_ogre", {0, 0, 40}) + text), {},
+                                       artgen::make_palette(), {}, jobs, nobody, build, warnings)
+                   .ok());
 }
 
 TEST(Build, VisibilityThatWasStoppedIsKept) {
