@@ -201,8 +201,8 @@ TEST(LightLevel, DirtDarkensCorners) {
       "{ 'classname' 'light' 'origin' '0 0 0' 'light' '200' 'delay' '3' '_anglescale' '0' }", ""};
   RoomSetup dirty = clean;
   dirty.world_keys = "'_dirt' '1' '_dirtdepth' '40'";
-  const auto before = room_luxels(light(room_with(clean)), 1),
-             after = room_luxels(light(room_with(dirty)), 1);
+  const auto before = room_luxels(light(room_with(clean)), 0, 1),
+             after = room_luxels(light(room_with(dirty)), 0, 1);
   int corners = 0, middles = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     // How far the nearest other wall is: the middle one of the three distances, as the least is the unit to
