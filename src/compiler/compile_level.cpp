@@ -73,8 +73,8 @@ bool is_up_to_date(const Build& build, StageKey brushes_key, const formats::Map&
 }
 
 base::Status make_brushes(const formats::Map& map, const TextureSet& textures, const CompileOptions& options,
-                          base::Jobs& jobs, Stages& io_stages, Build& io_build, CompileReport& io_report,
-                          Warnings& io_warnings) {
+                          base::Jobs& jobs, CompileWatcher& watcher, Stages& io_stages, Build& io_build,
+                          CompileReport& io_report, Warnings& io_warnings) {
   const auto size = [&](std::string_view name) { return texture_size_of(textures, name); };
   const StageKey key = base::hash_with(key_of_brushes(map, size, options.draft), options.bsp2 ? 1 : 0);
   if (is_up_to_date(io_build, key, map, options)) {
@@ -83,8 +83,10 @@ base::Status make_brushes(const formats::Map& map, const TextureSet& textures, c
     io_build.bsp.entities = formats::write_entities(level_entities(map, io_build.brush_entities));
     return base::Ok{};
   }
-  TRY(DraftResult made,
-      io_stages.run("bsp", [&] { return make_draft(map, size, options.draft, jobs, io_warnings); }));
+  const auto progress = [&](std::size_t done, std::size_t total) { return watcher.progress(done, total); };
+  TRY(DraftResult made, io_stages.run("bsp", [&] {
+    return make_draft(map, size, options.draft, jobs, io_warnings, progress);
+  }));
   TRY(Build build, build_of(std::move(made.draft), textures, options.bsp2));
   build.visibility_state = std::move(io_build.visibility_state);
   build.light_cache = std::move(io_build.light_cache);
@@ -133,7 +135,7 @@ base::Result<CompileReport> compile_level(const formats::Map& map, std::span<con
   const TextureSet textures = stages.run("textures", [&] {
     return make_texture_set(texture_names(map), sources, palette, options.mip_levels, io_warnings);
   });
-  TRY_STATUS(make_brushes(map, textures, options, jobs, stages, io_build, report, io_warnings));
+  TRY_STATUS(make_brushes(map, textures, options, jobs, watcher, stages, io_build, report, io_warnings));
   TRY_STATUS(finish(palette, options, jobs, watcher, report.leak.has_value(), stages, io_build, io_warnings));
   return report;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 
 #include "base/text.h"
 #include "compiler/bsp/cluster_portals.h"
@@ -26,16 +27,43 @@ struct Partition {
   std::optional<Leak> leak;
 };
 
+// How far the trees of all models are; each counts by its brushes.
+class Meter {
+ public:
+  Meter(Progress progress, std::size_t brushes)
+      : progress_(progress), brushes_(static_cast<double>(std::max<std::size_t>(1, brushes))) {}
+
+  void add(double brushes) {
+    constexpr std::size_t kSteps = 1000;
+    const std::lock_guard lock(mutex_);
+    done_ += brushes;
+    const auto step = std::min(kSteps, static_cast<std::size_t>(done_ / brushes_ * kSteps));
+    if (step > step_) progress_(step_ = step, kSteps);
+  }
+
+ private:
+  std::mutex mutex_;
+  Progress progress_;
+  double brushes_, done_ = 0;
+  std::size_t step_ = 0;
+};
+
+// The first tree of a model, which takes most of the time.
+Tree build_first_tree(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover, Meter& io_meter) {
+  const auto weight = static_cast<double>(brushes.size());
+  return build_tree(brushes, planes, cover, [&](double share) { io_meter.add(share * weight); });
+}
+
 bool are_one(const TreeLeaf& a, const TreeLeaf& b) {
   return a.fill == b.fill && a.structure == b.structure && is_blocked(a.fill) && a.fill != Fill::kFence;
 }
 
 Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& level, bool is_world,
-                          const DraftOptions& options) {
+                          const DraftOptions& options, Meter& io_meter) {
   std::vector<Brush> drawn;
   std::copy_if(brushes.begin(), brushes.end(), std::back_inserter(drawn),
                [](const Brush& brush) { return (brush.hulls & kDrawnHull) != 0; });
-  Tree first = build_tree(drawn, level.planes, Cover::kLast);
+  Tree first = build_first_tree(drawn, level.planes, Cover::kLast, io_meter);
   const LeafPortals first_portals = make_leaf_portals(first, level.planes);
   Partition made;
   if (is_world && options.fill_outside)
@@ -53,9 +81,9 @@ Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& le
 }
 
 Partition partition_hull(std::vector<Brush> expanded, const LevelBrushes& level, bool is_world,
-                         const DraftOptions& options) {
+                         const DraftOptions& options, Meter& io_meter) {
   for (Brush& brush : expanded) add_windings(brush, level.planes);
-  Tree first = build_tree(expanded, level.planes, Cover::kAnySolid);
+  Tree first = build_first_tree(expanded, level.planes, Cover::kAnySolid, io_meter);
   const LeafPortals first_portals = make_leaf_portals(first, level.planes);
   Partition made;
   if (is_world && options.fill_outside)
@@ -75,27 +103,49 @@ Box box_of(std::span<const Brush> brushes) {
   return box;
 }
 
+constexpr std::size_t kTrees = 1 + kHullBoxes.size();
+
+// By model: its brushes for each hull of boxes.
+using ModelHulls = std::vector<std::array<std::vector<Brush>, kHullBoxes.size()>>;
+
+// Planes are numbered here, one brush after another, so that jobs only read them.
+ModelHulls expand_brushes(LevelBrushes& io_level) {
+  ModelHulls expanded(io_level.models.size());
+  for (std::size_t model = 0; model < expanded.size(); ++model)
+    for (std::size_t hull = 0; hull < kHullBoxes.size(); ++hull)
+      for (const Brush& brush : io_level.models[model])
+        if ((brush.hulls & hull_bit(hull + 1)) != 0)
+          expanded[model][hull].push_back(expand(brush, kHullBoxes[hull], io_level.planes));
+  return expanded;
+}
+
+// kTrees for each model, what is drawn first.
+std::vector<Partition> partition_models(LevelBrushes& io_level, const DraftOptions& options, base::Jobs& jobs,
+                                        Progress progress) {
+  ModelHulls expanded = expand_brushes(io_level);
+  std::size_t brushes = 0;
+  for (const std::vector<Brush>& model : io_level.models) brushes += model.size();
+  for (const auto& model : expanded)
+    for (const std::vector<Brush>& hull : model) brushes += hull.size();
+  Meter meter(progress, brushes);
+  std::vector<Partition> parts(expanded.size() * kTrees);
+  jobs.parallel_for(parts.size(), [&](std::size_t job) {
+    const std::size_t model = job / kTrees, hull = job % kTrees;
+    parts[job] = hull == 0 ? partition_drawn(io_level.models[model], io_level, model == 0, options, meter)
+                           : partition_hull(std::move(expanded[model][hull - 1]), io_level, model == 0,
+                                            options, meter);
+  });
+  return parts;
+}
+
 }  // namespace
 
 base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize texture_size,
-                                     const DraftOptions& options, base::Jobs& jobs, Warnings& io_warnings) {
+                                     const DraftOptions& options, base::Jobs& jobs, Warnings& io_warnings,
+                                     Progress progress) {
   TRY(LevelBrushes level, sort_brushes(map, texture_size, io_warnings));
+  const std::vector<Partition> parts = partition_models(level, options, jobs, progress);
   const std::size_t models = level.models.size();
-  constexpr std::size_t kTrees = 1 + kHullBoxes.size();
-  // Planes are numbered here, one brush after another, so that jobs only read them.
-  std::vector<std::array<std::vector<Brush>, kHullBoxes.size()>> expanded(models);
-  for (std::size_t model = 0; model < models; ++model)
-    for (std::size_t hull = 0; hull < kHullBoxes.size(); ++hull)
-      for (const Brush& brush : level.models[model])
-        if ((brush.hulls & hull_bit(hull + 1)) != 0)
-          expanded[model][hull].push_back(expand(brush, kHullBoxes[hull], level.planes));
-  std::vector<Partition> parts(models * kTrees);
-  jobs.parallel_for(parts.size(), [&](std::size_t job) {
-    const std::size_t model = job / kTrees, hull = job % kTrees;
-    parts[job] = hull == 0 ? partition_drawn(level.models[model], level, model == 0, options)
-                           : partition_hull(std::move(expanded[model][hull - 1]), level, model == 0, options);
-  });
-
   DraftResult result;
   result.is_region = level.is_region;
   LevelWriter writer(level.planes);

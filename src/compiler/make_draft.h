@@ -33,8 +33,9 @@ struct DraftResult {
 };
 
 // The same bytes whatever the number of threads. Errors: no worldspawn, no brush with a volume, a brush
-// without sides.
+// without sides. What `progress` returns is not asked: there is nothing to save.
 base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize texture_size,
-                                     const DraftOptions& options, base::Jobs& jobs, Warnings& io_warnings);
+                                     const DraftOptions& options, base::Jobs& jobs, Warnings& io_warnings,
+                                     Progress progress = kNobodyWatches);
 
 }  // namespace temblor::compiler

@@ -1,10 +1,10 @@
 #include "compiler/drafts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "formats/bsp_validate.h"
+#include "support/bsp_faces.h"
 #include "support/room_map.h"
 #include "world/level.h"
 
@@ -16,15 +16,11 @@ std::string_view texture_of(const formats::Bsp& bsp, const formats::BspFace& fac
 }
 
 double area_of_face(const formats::Bsp& bsp, const formats::BspFace& face) {
-  std::vector<math::Vec3d> corners;
-  for (std::uint32_t k = 0; k < face.surfedge_count; ++k) {
-    const std::int32_t edge = bsp.surfedges[face.first_surfedge + k];
-    const auto& ends = bsp.edges[static_cast<std::size_t>(std::abs(edge))].vertices;
-    corners.emplace_back(bsp.vertices[ends[edge < 0 ? 1 : 0]]);
-  }
+  const std::vector<math::Vec3> corners = vertices_of(bsp, face);
+  const math::Vec3d first(corners[0]);
   math::Vec3d sum(0.0);
   for (std::size_t k = 2; k < corners.size(); ++k)
-    sum += glm::cross(corners[k - 1] - corners[0], corners[k] - corners[0]);
+    sum += glm::cross(math::Vec3d(corners[k - 1]) - first, math::Vec3d(corners[k]) - first);
   return glm::length(sum) / 2;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/make_draft.h"
+#include "support/bsp_faces.h"
 #include "support/effort.h"
 #include "support/random.h"
 #include "support/room_map.h"
@@ -40,16 +41,11 @@ std::string pedestal_text(double bend, Random& io_random) {
 double area_from_above(const formats::Bsp& bsp) {
   double sum = 0;
   for (const formats::BspFace& face : bsp.faces) {
-    std::vector<Vec3d> corners;
-    for (std::uint32_t k = 0; k < face.surfedge_count; ++k) {
-      const std::int32_t edge = bsp.surfedges[face.first_surfedge + k];
-      corners.emplace_back(
-          bsp.vertices[bsp.edges[static_cast<std::size_t>(std::abs(edge))].vertices[edge < 0 ? 1 : 0]]);
-    }
+    const std::vector<math::Vec3> corners = vertices_of(bsp, face);
     if (corners[0].z < -200 || corners[0].z > 200) continue;  // floor and ceiling
     double twice = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Vec3d &a = corners[i], &b = corners[(i + 1) % corners.size()];
+      const Vec3d a(corners[i]), b(corners[(i + 1) % corners.size()]);
       twice += b.x * a.y - a.x * b.y;
     }
     sum += std::max(twice / 2, 0.0);

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <glm/matrix.hpp>
 #include <map>
 #include <string>
 #include <tuple>
@@ -13,6 +12,7 @@
 #include "compiler/lighting.h"
 #include "formats/bsp_validate.h"
 #include "support/effort.h"
+#include "support/room_map.h"
 #include "world/face_at.h"
 #include "world/level.h"
 #include "world/visibility.h"
@@ -134,49 +134,48 @@ TEST(LightLevel, TemplatesMakeFacesShine) {
 }
 
 TEST(LightLevel, HiddenFacesOfDoorsHaveTheLightOfTheirMiddle) {
-  formats::Bsp bsp =
-      room_with({"{ 'classname' 'func_door' 'model' '*1' 'origin' '500 0 0' }"
-                 "{ 'classname' 'light' 'origin' '0 0 30' 'delay' '3' '_anglescale' '1' }"});
-  bsp.models[0].face_count = 4;
-  bsp.models[1].first_face = 4;
-  bsp.models[1].face_count = 2;
-  // Its faces lie outside the room, its middle in that of the room.
-  bsp.models[1].mins = {-564, -64, -64};
-  bsp.models[1].maxs = {-436, 64, 64};
-  const LitResult lit = light(bsp);
-  // Of six sides that look up, down and around, one sees a light of 300 straight above it.
-  for (std::size_t face = 4; face < 6; ++face) {
-    ASSERT_GE(lit.bsp.faces[face].light_offset, 0);
-    EXPECT_NEAR(lit.bsp.lighting[static_cast<std::size_t>(lit.bsp.faces[face].light_offset)], 300.0 / 6 / 2,
-                1);
+  // From below the floor to above the ceiling, where its ends are in the dark.
+  const LitResult lit =
+      light(room_with({"{ 'classname' 'func_door' " + box_text({-8, -8, -72}, {8, 8, 72}, "door") + "}" +
+                       "{ 'classname' 'light' 'origin' '0 0 30' 'delay' '3' '_anglescale' '1' }"}));
+  int of_ends = 0;
+  for (const RoomLuxel& luxel : room_luxels(lit)) {
+    if (luxel.of_world || luxel.normal.z == 0) continue;
+    // Of six sides that look up, down and around, one sees a light of 300 straight above it.
+    EXPECT_NEAR(luxel.grey, 300.0 / 6 / 2, 1) << luxel;
+    ++of_ends;
   }
+  EXPECT_EQ(of_ends, 2);
+}
+
+// In a corner of the room's floor.
+std::string block_text(const std::string& keys) {
+  return "{ 'classname' 'func_wall' " + keys + box_text({16, 16, -64}, {64, 64, -16}, "wall") + "}";
 }
 
 TEST(LightLevel, BrushModelsHaveTheirOwnLeastLight) {
-  formats::Bsp bsp =
-      room_with({"{ 'classname' 'func_wall' 'model' '*1' '_minlight' '120' '_minlight_color' '1 0.5 0' }",
-                 "'light' '40'"});
-  bsp.models[0].face_count = 4;
-  bsp.models[1].first_face = 4;
-  bsp.models[1].face_count = 2;
-  for (const RoomLuxel& luxel : room_luxels(light(bsp))) {
-    const bool own = luxel.wall >= 4;
+  const LitResult lit =
+      light(room_with({block_text("'_minlight' '120' '_minlight_color' '1 0.5 0'"), "'light' '40'"}));
+  int of_block = 0;
+  for (const RoomLuxel& luxel : room_luxels(lit)) {
     // The greater of both, channel by channel.
     const std::array<std::uint8_t, 3> expected =
-        own ? std::array<std::uint8_t, 3>{60, 30, 20} : std::array<std::uint8_t, 3>{20, 20, 20};
-    ASSERT_EQ(luxel.rgb, expected) << "wall " << luxel.wall;
+        luxel.of_world ? std::array<std::uint8_t, 3>{20, 20, 20} : std::array<std::uint8_t, 3>{60, 30, 20};
+    ASSERT_EQ(luxel.rgb, expected) << luxel;
+    of_block += !luxel.of_world;
   }
+  EXPECT_GT(of_block, 0);
 }
 
 TEST(LightLevel, FacesThatIgnoreLightKeepTheirLeast) {
-  formats::Bsp bsp =
-      room_with({"{ 'classname' 'func_wall' 'model' '*1' '_lightignore' '1' '_minlight' '50' }"
-                 "{ 'classname' 'light' 'origin' '0 0 0' }"});
-  bsp.models[0].face_count = 4;
-  bsp.models[1].first_face = 4;
-  bsp.models[1].face_count = 2;
-  for (const RoomLuxel& luxel : room_luxels(light(bsp)))
-    ASSERT_TRUE(luxel.wall >= 4 ? luxel.grey == 25 : luxel.grey > 50) << "wall " << luxel.wall;
+  const LitResult lit = light(room_with(
+      {block_text("'_lightignore' '1' '_minlight' '50'") + "{ 'classname' 'light' 'origin' '0 0 0' }"}));
+  int of_block = 0;
+  for (const RoomLuxel& luxel : room_luxels(lit)) {
+    ASSERT_TRUE(luxel.of_world ? luxel.grey > 50 : luxel.grey == 25) << luxel;
+    of_block += !luxel.of_world;
+  }
+  EXPECT_GT(of_block, 0);
 }
 
 TEST(LightLevel, BouncedLightReachesWhatNoLightSees) {
@@ -186,15 +185,15 @@ TEST(LightLevel, BouncedLightReachesWhatNoLightSees) {
   const LitResult direct = light(room_with(spot));
   const LitResult bounced = light(room_with(spot), {.bounces = 1});
   const LitResult more = light(room_with(spot), {.bounces = 4});
-  const auto mean = [](const LitResult& lit, int wall) {
+  const auto mean_of_ceiling = [](const LitResult& lit) {
     double sum = 0, count = 0;
     for (const RoomLuxel& luxel : room_luxels(lit))
-      if (luxel.wall == wall) sum += luxel.grey, ++count;
+      if (luxel.normal.z < 0) sum += luxel.grey, ++count;
     return sum / count;
   };
-  EXPECT_EQ(mean(direct, 4), 0);
-  EXPECT_GT(mean(bounced, 4), 5);
-  EXPECT_GT(mean(more, 4), mean(bounced, 4));
+  EXPECT_EQ(mean_of_ceiling(direct), 0);
+  EXPECT_GT(mean_of_ceiling(bounced), 5);
+  EXPECT_GT(mean_of_ceiling(more), mean_of_ceiling(bounced));
 }
 
 TEST(LightLevel, DirtDarkensCorners) {
@@ -202,15 +201,15 @@ TEST(LightLevel, DirtDarkensCorners) {
       "{ 'classname' 'light' 'origin' '0 0 0' 'light' '200' 'delay' '3' '_anglescale' '0' }", ""};
   RoomSetup dirty = clean;
   dirty.world_keys = "'_dirt' '1' '_dirtdepth' '40'";
-  const auto before = room_luxels(light(room_with(clean)), 0, 1),
-             after = room_luxels(light(room_with(dirty)), 0, 1);
+  const auto before = room_luxels(light(room_with(clean)), 1),
+             after = room_luxels(light(room_with(dirty)), 1);
   int corners = 0, middles = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     // How far the nearest other wall is: the middle one of the three distances, as the least is the unit to
     // the luxel's own wall.
     std::array<double, 3> from_walls{};
     for (int axis = 0; axis < 3; ++axis)
-      from_walls[static_cast<std::size_t>(axis)] = 64 - std::abs(before[i].place_world[axis]);
+      from_walls[static_cast<std::size_t>(axis)] = kHalfRoom - std::abs(before[i].place_world[axis]);
     std::sort(from_walls.begin(), from_walls.end());
     if (from_walls[1] > 42) {
       EXPECT_EQ(after[i].grey, before[i].grey);
@@ -222,17 +221,6 @@ TEST(LightLevel, DirtDarkensCorners) {
   }
   EXPECT_GT(middles, 3);
   EXPECT_GT(corners, 20);
-}
-
-// Where a luxel lies in its face's plane: the point with its texel coordinates.
-math::Vec3d luxel_place(const world::Level& level, const world::Face& face, int column, int row) {
-  const world::TextureAxes& axes = level.texture_axes[face.axes];
-  const world::FacePlane plane = world::plane_of(level, face);
-  const glm::dmat3 rows =
-      glm::transpose(glm::dmat3(math::Vec3d(axes.s_axis), math::Vec3d(axes.t_axis), plane.normal));
-  return glm::inverse(rows) * math::Vec3d(face.texture_mins[0] + 16.0 * column - double{axes.s_offset},
-                                          face.texture_mins[1] + 16.0 * row - double{axes.t_offset},
-                                          plane.distance);
 }
 
 // Nothing solid within three units but what lies behind one plane: at the foot of a pillar's edge light

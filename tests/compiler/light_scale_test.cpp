@@ -69,7 +69,7 @@ TEST(LightScale, ScaledLuxelsHaveTheLightOfTheirPlaces) {
       ASSERT_EQ(styles.u8(), 255);
       const world::TextureAxes& axes = level->texture_axes[face.axes];
       const world::FacePlane plane = world::plane_of(*level, face);
-      // The room is a cube of 128 units whose texture axes are axes of the world: texels are units.
+      // The room is a cube of 128 units whose texture axes lie along axes of the world: texels are units.
       const double low_s = std::floor((-64.0 + double{axes.s_offset}) / texels) * texels;
       const double low_t = std::floor((-64.0 + double{axes.t_offset}) / texels) * texels;
       const int width =

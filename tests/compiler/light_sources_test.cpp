@@ -47,8 +47,7 @@ void expect_room_lit(const std::string& keys, const Expected& light, const std::
   for (const RoomLuxel& luxel : room_luxels(lit)) {
     const double expected = stored(expected_at(light, luxel));
     brightest = std::max(brightest, expected);
-    ASSERT_NEAR(luxel.grey, expected, 1) << keys << ": wall " << luxel.wall << " at " << luxel.place_world.x
-                                         << ' ' << luxel.place_world.y << ' ' << luxel.place_world.z;
+    ASSERT_NEAR(luxel.grey, expected, 1) << keys << ": " << luxel;
   }
   EXPECT_GT(brightest, 20) << keys << " lights nothing";
 }

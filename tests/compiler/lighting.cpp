@@ -1,38 +1,36 @@
 #include "compiler/lighting.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <ostream>
 #include <utility>
 
-#include "formats/cube_room.h"
+#include "compiler/drafts.h"
+#include "support/bsp_faces.h"
+#include "support/room_map.h"
 
 namespace temblor::test {
 namespace {
 
-constexpr double kHalfRoom = 64;
+using math::Vec3d;
 
 std::string with_double_quotes(std::string text) {
   std::replace(text.begin(), text.end(), '\'', '"');
   return text;
 }
 
-// A wall's texture axes, as cube_room.cpp says: the two axes after its own, t half a texel further on.
-struct WallGrid {
-  int s_axis, t_axis;
-  int first_s, first_t, width, height;
-};
-WallGrid grid_of(int wall) {
-  const int axis = wall / 2;
-  const auto first = [](double low) { return static_cast<int>(std::floor(low / 16)) * 16; };
-  const auto count = [&](double low, double high) {
-    return (static_cast<int>(std::ceil(high / 16)) * 16 - first(low)) / 16 + 1;
-  };
-  return {(axis + 1) % 3,
-          (axis + 2) % 3,
-          first(-kHalfRoom),
-          first(-kHalfRoom + 0.5),
-          count(-kHalfRoom, kHalfRoom),
-          count(-kHalfRoom + 0.5, kHalfRoom + 0.5)};
+// How far a place lies inside the corners' bounding box, but for the axis that `normal` points along.
+double depth_inside(const std::vector<math::Vec3>& corners, const Vec3d& normal, const Vec3d& place) {
+  math::Vec3 mins = corners[0], maxs = corners[0];
+  for (const math::Vec3& corner : corners) mins = glm::min(mins, corner), maxs = glm::max(maxs, corner);
+  double depth = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+    if (normal[axis] == 0)
+      depth = std::min({depth, place[axis] - double{mins[axis]}, double{maxs[axis]} - place[axis]});
+  return depth;
 }
 
 }  // namespace
@@ -52,56 +50,62 @@ LitResult light(formats::Bsp bsp, const compiler::LightOptions& options, int thr
 }
 
 formats::Bsp room_with(const RoomSetup& setup) {
-  formats::Bsp bsp = make_cube_room();
-  bsp.visibility.clear();
-  for (formats::BspLeaf& leaf : bsp.leafs) leaf.visibility_offset = -1;
-  bsp.entities =
-      with_double_quotes("{ 'classname' 'worldspawn' " + setup.world_keys + " }\n" + setup.entities);
+  constexpr double kSkyDepth = 16;
+  Vec3d maxs(kHalfRoom);
+  std::string brushes;
   if (setup.sky) {
-    formats::BspMiptex sky = bsp.miptexes[0];
-    sky.name = "sky1";
-    bsp.miptexes.push_back(sky);
-    formats::BspTexinfo texinfo = bsp.texinfos[bsp.faces[4].texinfo];
-    texinfo.miptex = static_cast<std::int32_t>(bsp.miptexes.size() - 1);
-    bsp.faces[4].texinfo = static_cast<std::uint32_t>(bsp.texinfos.size());
-    bsp.texinfos.push_back(texinfo);
+    brushes =
+        box_text({-kHalfRoom, -kHalfRoom, kHalfRoom}, {kHalfRoom, kHalfRoom, kHalfRoom + kSkyDepth}, "sky1");
+    maxs.z += kSkyDepth;
   }
-  return bsp;
+  brushes += walls_text(Vec3d(-kHalfRoom), maxs, "wall");
+  const std::string world = entity_text("worldspawn", setup.world_keys, brushes);
+  // Outside is filled only where somebody is inside.
+  const std::string start = point_text("info_player_start", Vec3d(0.0));
+  return draft_of(with_double_quotes(world + setup.entities + start)).draft.bsp;
 }
 
-std::vector<RoomLuxel> room_luxels(const LitResult& lit, std::uint8_t style, double margin) {
+Vec3d luxel_place(const world::Level& level, const world::Face& face, int column, int row) {
+  const world::TextureAxes& axes = level.texture_axes[face.axes];
+  const world::FacePlane plane = world::plane_of(level, face);
+  const glm::dmat3 rows = glm::transpose(glm::dmat3(Vec3d(axes.s_axis), Vec3d(axes.t_axis), plane.normal));
+  return glm::inverse(rows) * Vec3d(face.texture_mins[0] + 16.0 * column - double{axes.s_offset},
+                                    face.texture_mins[1] + 16.0 * row - double{axes.t_offset},
+                                    plane.distance);
+}
+
+std::vector<RoomLuxel> room_luxels(const LitResult& lit, double margin) {
+  const auto level = world::make_level(lit.bsp, "room").value();
   std::vector<RoomLuxel> luxels;
-  for (int wall = 0; wall < 6; ++wall) {
-    const formats::BspFace& face = lit.bsp.faces[static_cast<std::size_t>(wall)];
-    const WallGrid grid = grid_of(wall);
-    const auto found = std::find(face.styles.begin(), face.styles.end(), style);
-    const bool has_style = face.light_offset >= 0 && found != face.styles.end();
-    const auto samples = static_cast<std::size_t>(grid.width * grid.height);
-    const std::size_t first = has_style ? static_cast<std::size_t>(face.light_offset) +
-                                              samples * static_cast<std::size_t>(found - face.styles.begin())
-                                        : 0;
-    for (int row = 0; row < grid.height; ++row)
-      for (int column = 0; column < grid.width; ++column) {
-        RoomLuxel luxel;
-        luxel.wall = wall;
-        luxel.normal[wall / 2] = wall % 2 == 0 ? -1 : 1;
-        luxel.place_world = luxel.normal * (1 - kHalfRoom);
-        luxel.place_world[grid.s_axis] = grid.first_s + 16.0 * column;
-        luxel.place_world[grid.t_axis] = grid.first_t + 16.0 * row - 0.5;
-        if (std::abs(luxel.place_world[grid.s_axis]) > kHalfRoom - margin ||
-            std::abs(luxel.place_world[grid.t_axis]) > kHalfRoom - margin)
-          continue;
-        if (has_style) {
-          const std::size_t sample = first + static_cast<std::size_t>(row * grid.width + column);
-          luxel.grey = lit.bsp.lighting.at(sample);
-          for (std::size_t channel = 0; channel < 3; ++channel)
-            luxel.rgb[channel] =
-                lit.summary.coloured ? lit.summary.lit.samples.at(sample * 3 + channel) : luxel.grey;
-        }
-        luxels.push_back(luxel);
+  for (std::size_t i = 0; i < level->faces.size(); ++i) {
+    const world::Face& face = level->faces[i];
+    if (face.kind == world::FaceKind::kSky) continue;
+    const auto corners = vertices_of(lit.bsp, lit.bsp.faces[i]);
+    const Vec3d normal = world::plane_of(*level, face).normal;
+    const bool has_light = face.light != world::kNoLight && face.styles[0] == 0;
+    for (int row = 0; row < face.light_height(); ++row)
+      for (int column = 0; column < face.light_width(); ++column) {
+        const Vec3d place = luxel_place(*level, face, column, row);
+        if (depth_inside(corners, normal, place) < margin) continue;
+        RoomLuxel& luxel = luxels.emplace_back();
+        luxel.of_world = i < level->world().face_count;
+        luxel.place_world = place + normal;
+        luxel.normal = normal;
+        if (!has_light) continue;
+        const std::size_t sample = face.light + static_cast<std::size_t>(row * face.light_width() + column);
+        luxel.grey = luxel.rgb[0] = luxel.rgb[1] = luxel.rgb[2] = level->light.at(sample);
+        if (lit.summary.coloured)
+          std::copy_n(lit.summary.lit.samples.begin() + static_cast<std::ptrdiff_t>(sample * 3), 3,
+                      luxel.rgb.begin());
       }
   }
   return luxels;
+}
+
+std::ostream& operator<<(std::ostream& io_stream, const RoomLuxel& luxel) {
+  const Vec3d &at = luxel.place_world, &towards = luxel.normal;
+  return io_stream << fmt::format("at {} {} {}, facing {} {} {}", at.x, at.y, at.z, towards.x, towards.y,
+                                  towards.z);
 }
 
 }  // namespace temblor::test

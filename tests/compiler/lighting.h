@@ -2,13 +2,15 @@
 #pragma once
 
 #include <array>
-#include <functional>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
 #include "compiler/light_level.h"
 #include "formats/bsp.h"
 #include "math/vec.h"
+#include "world/face_at.h"
+#include "world/level.h"
 
 namespace temblor::test {
 
@@ -22,24 +24,30 @@ struct LitResult {
 LitResult light(formats::Bsp bsp, const compiler::LightOptions& options = {}, int threads = 1,
                 compiler::LightCache* io_cache = nullptr);
 
-// The cube room of tests/formats with these entities ("{...}{...}" in .map spelling, single quotes for
-// double) behind worldspawn, which has `world_keys`. Under `sky`, its ceiling is sky.
+// A closed cube around the origin, all of it textured "wall" at a texel a unit: kHalfRoom units to each side.
+constexpr double kHalfRoom = 64;
+// Map text of entities behind worldspawn, and keys of worldspawn; single quotes stand for double.
 struct RoomSetup {
   std::string entities{};
   std::string world_keys{};
-  bool sky = false;
+  bool sky = false;  // for a ceiling
 };
+// Compiled as far as the BSP stage; CHECKs that it can be.
 formats::Bsp room_with(const RoomSetup& setup);
 
-// One luxel of a wall of the room, at least `margin` from the wall's edges.
+// Where a luxel lies in its face's plane: the point that has its texture coordinates.
+math::Vec3d luxel_place(const world::Level& level, const world::Face& face, int column, int row);
+
+// Of a face along axes of the world that is not sky.
 struct RoomLuxel {
-  int wall = 0;                  // +x -x +y -y +z -z
-  math::Vec3d place_world{0.0};  // a unit before the wall, where light is measured
+  bool of_world = true;          // not of a brush entity
+  math::Vec3d place_world{0.0};  // a unit before the face, where light is measured
   math::Vec3d normal{0.0};
-  std::array<std::uint8_t, 3> rgb{};  // of all styles asked for
+  std::array<std::uint8_t, 3> rgb{};  // of style 0; without it dark
   std::uint8_t grey = 0;
 };
-// 0 where the wall does not have that style.
-std::vector<RoomLuxel> room_luxels(const LitResult& lit, std::uint8_t style = 0, double margin = 8);
+// Those at least `margin` from their face's edges.
+std::vector<RoomLuxel> room_luxels(const LitResult& lit, double margin = 8);
+std::ostream& operator<<(std::ostream& io_stream, const RoomLuxel& luxel);
 
 }  // namespace temblor::test

@@ -236,5 +236,24 @@ TEST(MakeDraft, MapsWithoutAWorldAreErrors) {
   }
 }
 
+TEST(MakeDraft, TellsHowFarItIs) {
+  std::vector<std::size_t> steps;
+  std::size_t of = 0;
+  base::Jobs jobs(2, base::JobBackend::kStdThread);
+  compiler::Warnings warnings;
+  const auto size = [](std::string_view) { return math::Vec2d(64); };
+  ASSERT_TRUE(compiler::make_draft(map_of(room_text(box_text({0, 0, 0}, {16, 16, 16}, "block"))), size, {},
+                                   jobs, warnings,
+                                   [&](std::size_t done, std::size_t total) {
+                                     steps.push_back(done);
+                                     of = total;
+                                     return true;
+                                   })
+                  .ok());
+  ASSERT_GT(steps.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(steps.begin(), steps.end()));
+  EXPECT_GE(steps.back() + 1, of) << "but for rounding";
+}
+
 }  // namespace
 }  // namespace temblor::test

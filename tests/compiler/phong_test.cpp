@@ -2,27 +2,35 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
+#include <string>
+#include <utility>
 
-#include "formats/cube_room.h"
+#include "compiler/lighting.h"
 
 namespace temblor::test {
 namespace {
 
-// The cube room's walls all smoothed up to that angle; they meet at 90 degrees, concave.
-compiler::LitLevel smooth_room(float angle_deg, float concave_deg = 0) {
-  formats::Bsp bsp = make_cube_room();
-  for (formats::BspFace& face : bsp.faces) face.light_offset = -1;
-  compiler::FaceKeys keys;
-  keys.keys.resize(1);
-  keys.keys[0].phong_angle_deg = angle_deg;
-  keys.keys[0].phong_angle_concave_deg = concave_deg;
-  keys.of_face.assign(bsp.faces.size(), 0);
-  return compiler::make_lit_level(std::move(bsp), std::move(keys)).value();
+// The normals of the walls at x, y and z 64.
+constexpr math::Vec3d kWallX(-1, 0, 0), kWallY(0, -1, 0), kWallZ(0, 0, -1);
+
+// The room's walls, which meet at 90 degrees, concave, with these keys of worldspawn.
+compiler::LitLevel smooth_room(const std::string& keys) {
+  formats::Bsp bsp = room_with({"", keys});
+  compiler::FaceKeys face_keys = compiler::face_keys_of(bsp, formats::read_entities(bsp.entities).value());
+  return compiler::make_lit_level(std::move(bsp), std::move(face_keys)).value();
 }
 
-math::Vec3 normal_at(const compiler::LitLevel& lit, std::size_t face, const math::Vec3d& point) {
-  return compiler::PhongNormals(lit).at(compiler::make_light_grid(lit, face), point);
+std::size_t face_with(const compiler::LitLevel& lit, const math::Vec3d& normal) {
+  const auto& faces = lit.level->faces;
+  const auto found = std::ranges::find_if(
+      faces, [&](const world::Face& face) { return world::plane_of(*lit.level, face).normal == normal; });
+  CHECK(found != faces.end());
+  return static_cast<std::size_t>(found - faces.begin());
+}
+
+math::Vec3 normal_at(const compiler::LitLevel& lit, const math::Vec3d& wall, const math::Vec3d& point) {
+  return compiler::PhongNormals(lit).at(compiler::make_light_grid(lit, face_with(lit, wall)), point);
 }
 
 void expect_near(const math::Vec3& a, const math::Vec3& b) {
@@ -31,28 +39,31 @@ void expect_near(const math::Vec3& a, const math::Vec3& b) {
 }
 
 TEST(Phong, CornersPointBetweenTheirFaces) {
-  const compiler::LitLevel lit = smooth_room(90);
+  const compiler::LitLevel lit = smooth_room("'_phong_angle' '90'");
   const math::Vec3 inwards = glm::normalize(math::Vec3(-1, -1, -1));
-  for (const std::size_t face : {0u, 2u, 4u}) expect_near(normal_at(lit, face, {64, 64, 64}), inwards);
+  for (const math::Vec3d& wall : {kWallX, kWallY, kWallZ})
+    expect_near(normal_at(lit, wall, {64, 64, 64}), inwards);
 }
 
 TEST(Phong, NeighboursAgreeAlongTheirEdge) {
-  const compiler::LitLevel lit = smooth_room(90);
+  const compiler::LitLevel lit = smooth_room("'_phong_angle' '90'");
   for (int z = -64; z <= 64; z += 8) {
     const math::Vec3d point(64, 64, z);
-    expect_near(normal_at(lit, 0, point), normal_at(lit, 2, point));
+    expect_near(normal_at(lit, kWallX, point), normal_at(lit, kWallY, point));
   }
-  expect_near(normal_at(lit, 0, {64, 64, 0}), glm::normalize(math::Vec3(-1, -1, 0)));
+  expect_near(normal_at(lit, kWallX, {64, 64, 0}), glm::normalize(math::Vec3(-1, -1, 0)));
   // By symmetry.
-  expect_near(normal_at(lit, 0, {64, 0, 0}), {-1, 0, 0});
+  expect_near(normal_at(lit, kWallX, {64, 0, 0}), {-1, 0, 0});
 }
 
 TEST(Phong, SharperAnglesStayEdges) {
-  for (const compiler::LitLevel& lit : {smooth_room(89), smooth_room(120, 60)}) {
-    EXPECT_TRUE(compiler::PhongNormals(lit).is_curved(0));
-    expect_near(normal_at(lit, 0, {64, 64, 64}), {-1, 0, 0});
+  for (const compiler::LitLevel& lit : {smooth_room("'_phong_angle' '89'"),
+                                        smooth_room("'_phong_angle' '120' '_phong_angle_concave' '60'")}) {
+    EXPECT_TRUE(compiler::PhongNormals(lit).is_curved(face_with(lit, kWallX)));
+    expect_near(normal_at(lit, kWallX, {64, 64, 64}), {-1, 0, 0});
   }
-  EXPECT_FALSE(compiler::PhongNormals(smooth_room(0)).is_curved(0));
+  const compiler::LitLevel flat = smooth_room("");
+  EXPECT_FALSE(compiler::PhongNormals(flat).is_curved(face_with(flat, kWallX)));
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/cube_room.h"
-
 namespace temblor::test {
 namespace {
 
@@ -75,10 +73,9 @@ TEST(SurfaceKeys, ShadowsMayFallOnSomethingOnly) {
 }
 
 TEST(SurfaceKeys, FacesOfAModelHaveItsEntitysKeys) {
-  formats::Bsp bsp = make_cube_room();
-  bsp.models[0].face_count = 4;
-  bsp.models[1].first_face = 4;
-  bsp.models[1].face_count = 2;
+  formats::Bsp bsp;
+  bsp.faces.resize(6);
+  bsp.models = {{.face_count = 4}, {.first_face = 4, .face_count = 2}};
   const std::vector<formats::Entity> entities{
       entity({{"classname", "worldspawn"}}),
       entity({{"classname", "func_wall"}, {"model", "*1"}, {"_minlight", "77"}}),

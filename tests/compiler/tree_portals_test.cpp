@@ -7,9 +7,11 @@
 #include <string>
 
 #include "artgen/small_level.h"
+#include "compiler/drafts.h"
 #include "compiler/sight_lines.h"
 #include "support/effort.h"
 #include "support/game_data.h"
+#include "support/room_map.h"
 
 namespace temblor::compiler {
 namespace {
@@ -115,8 +117,9 @@ std::size_t portals_at_surfaces(const formats::Bsp& bsp, bool see_through) {
 }
 
 TEST(TreePortals, LiquidsAreSeenThroughOnlyWhenAsked) {
-  const formats::Bsp bsp = artgen::make_small_level();  // with a pool under the sky
-  EXPECT_GT(portals_at_surfaces(bsp, true), 0u);
+  const std::string pool = test::box_text({-128, -128, 0}, {128, 128, 32}, "*water");
+  const formats::Bsp bsp = test::draft_of(test::room_text(pool)).draft.bsp;
+  EXPECT_EQ(portals_at_surfaces(bsp, true), 1u);
   EXPECT_EQ(portals_at_surfaces(bsp, false), 0u);
 }
 

@@ -8,11 +8,13 @@
 #include <string>
 
 #include "artgen/small_level.h"
+#include "compiler/drafts.h"
 #include "compiler/sight_lines.h"
 #include "compiler/tree_portals.h"
 #include "compiler/visibility.h"
 #include "support/effort.h"
 #include "support/game_data.h"
+#include "support/room_map.h"
 #include "world/visibility.h"
 
 namespace temblor::compiler {
@@ -120,20 +122,23 @@ TEST(VisibilityLump, SoundsAreThoseOfFinishedLevels) {
 }
 
 TEST(VisibilityLump, UnwantedSoundsAreSilent) {
-  formats::Bsp bsp = artgen::make_small_level();  // with a pool under the sky
-  const PortalSet portals = make_tree_portals(bsp).value();
-  base::Jobs jobs(1);
-  const BitMatrix visible = roughly_visible_clusters(portals, jobs);
-  const auto loudest = [&](const AmbientSounds& sounds) {
-    EXPECT_TRUE(write_visibility(portals, visible, sounds, bsp).ok());
-    std::array<int, 4> loud{};
-    for (const formats::BspLeaf& leaf : bsp.leafs)
-      for (std::size_t i = 0; i < 4; ++i) loud[i] = std::max(loud[i], int{leaf.ambient[i]});
-    return loud;
+  // One room, in which everything is seen.
+  Draft draft = test::draft_of(test::room_text(test::box_text({-128, -128, 0}, {-64, 128, 32}, "*water") +
+                                               test::box_text({64, -128, 0}, {128, 128, 32}, "*lava") +
+                                               test::box_text({-128, -128, 112}, {128, 128, 128}, "sky")))
+                    .draft;
+  const std::uint32_t clusters = draft.portals.cluster_count;
+  BitMatrix visible(clusters, clusters);
+  for (std::uint32_t from = 0; from < clusters; ++from)
+    for (std::uint32_t to = 0; to < clusters; ++to) visible.set(from, to);
+  const auto sounds_with = [&](const AmbientSounds& sounds) {
+    EXPECT_TRUE(write_visibility(draft.portals, visible, sounds, draft.bsp).ok());
+    return draft.bsp.leafs[1].ambient;
   };
-  EXPECT_EQ(loudest({}), (std::array<int, 4>{255, 255, 0, 0}));
-  EXPECT_EQ(loudest({.water = false}), (std::array<int, 4>{0, 255, 0, 0}));
-  EXPECT_EQ(loudest({.sky = false}), (std::array<int, 4>{255, 0, 0, 0}));
+  EXPECT_EQ(sounds_with({}), (std::array<std::uint8_t, 4>{255, 255, 0, 255}));
+  EXPECT_EQ(sounds_with({.water = false}), (std::array<std::uint8_t, 4>{0, 255, 0, 255}));
+  EXPECT_EQ(sounds_with({.sky = false}), (std::array<std::uint8_t, 4>{255, 0, 0, 255}));
+  EXPECT_EQ(sounds_with({.lava = false}), (std::array<std::uint8_t, 4>{255, 255, 0, 0}));
 }
 
 TEST(MeanVisibleShare, CountsLeafsNotClusters) {

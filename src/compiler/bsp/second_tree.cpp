@@ -137,7 +137,7 @@ class FacePlacer {
 SecondTree make_second_tree(const Tree& first, std::span<const LeafPortal> portals,
                             std::span<const Brush> brushes, const PlaneSet& planes) {
   SecondTree second;
-  second.tree = build_tree(only_bounding(first, portals, brushes), planes, Cover::kNone);
+  second.tree = build_tree(only_bounding(first, portals, brushes), planes, Cover::kNone, [](double) {});
   second.portals = make_leaf_portals(second.tree, planes);
   const std::vector<InnerPoint> points = inner_points(second.tree, second.portals.portals);
   for (std::size_t i = 0; i < second.tree.leafs.size(); ++i) {

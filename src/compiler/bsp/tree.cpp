@@ -135,8 +135,9 @@ std::pair<Piece, Piece> split(Piece piece, PlaneIndex number, const PlaneSet& pl
 
 class TreeBuilder {
  public:
-  TreeBuilder(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover)
-      : brushes_(brushes), planes_(planes), cover_(cover) {}
+  TreeBuilder(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover,
+              base::FunctionRef<void(double)> grown)
+      : brushes_(brushes), planes_(planes), cover_(cover), grown_(grown) {}
 
   Tree build() {
     const std::vector<PlaneIndex> used = planes_of_brushes();
@@ -155,7 +156,7 @@ class TreeBuilder {
     if (tree_.box.is_empty()) tree_.box.add(math::Vec3d(0.0));
     tree_.box.mins -= kRoomAround;
     tree_.box.maxs += kRoomAround;
-    tree_.root = grow(std::move(pieces), tree_.box);
+    tree_.root = grow(std::move(pieces), tree_.box, 1);
     return std::move(tree_);
   }
 
@@ -174,11 +175,14 @@ class TreeBuilder {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(used, stored(plane)) - used.begin());
   }
 
-  std::int32_t grow(Pieces pieces, const Box& box) {
+  std::int32_t grow(Pieces pieces, const Box& box, double share) {
     keep_cover_alone(pieces);
     bool is_detail = false;
     const std::optional<PlaneIndex> plane = choose(pieces, box, is_detail);
-    if (!plane) return add_leaf(pieces);
+    if (!plane) {
+      grown_(share);
+      return add_leaf(pieces);
+    }
     Pieces front, back;
     divide(std::move(pieces), *plane, front, back);
     const auto index = static_cast<std::int32_t>(tree_.nodes.size());
@@ -186,8 +190,11 @@ class TreeBuilder {
     Box front_box = box, back_box = box;
     const Plane& p = planes_[*plane];
     if (p.axis < 3) front_box.mins[p.axis] = back_box.maxs[p.axis] = p.distance;
-    const std::int32_t front_child = grow(std::move(front), front_box);
-    const std::int32_t back_child = grow(std::move(back), back_box);
+    const auto pieces_in_front = static_cast<double>(front.size());
+    const double front_share =
+        share * pieces_in_front / std::max(1.0, pieces_in_front + static_cast<double>(back.size()));
+    const std::int32_t front_child = grow(std::move(front), front_box, front_share);
+    const std::int32_t back_child = grow(std::move(back), back_box, share - front_share);
     tree_.nodes[static_cast<std::size_t>(index)].children = {front_child, back_child};
     return index;
   }
@@ -313,6 +320,7 @@ class TreeBuilder {
   std::span<const Brush> brushes_;
   const PlaneSet& planes_;
   Cover cover_;
+  base::FunctionRef<void(double)> grown_;
   std::vector<std::uint32_t> weighed_;  // by PieceSide::number: the last round in which it was
   std::uint32_t round_ = 0;
   CutScratch scratch_;
@@ -330,8 +338,9 @@ std::uint32_t Tree::leaf_at(const math::Vec3d& point, const PlaneSet& planes) co
   return static_cast<std::uint32_t>(~child);
 }
 
-Tree build_tree(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover) {
-  return TreeBuilder(brushes, planes, cover).build();
+Tree build_tree(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover,
+                base::FunctionRef<void(double)> grown) {
+  return TreeBuilder(brushes, planes, cover, grown).build();
 }
 
 void prune(Tree& io_tree, base::FunctionRef<bool(const TreeLeaf&, const TreeLeaf&)> same) {

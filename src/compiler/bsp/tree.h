@@ -45,7 +45,10 @@ enum class Cover : std::uint8_t {
   kLast,     // a solid one behind which no other comes: what shows is known, too
   kAnySolid  // of what is never drawn
 };
-Tree build_tree(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover);
+//
+// `grown` is told of each leaf which share of the brushes' pieces it holds; all shares are 1 together.
+Tree build_tree(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover,
+                base::FunctionRef<void(double share)> grown);
 
 // Takes away nodes whose children are leafs that `same` says are one; the first keeps its number.
 void prune(Tree& io_tree, base::FunctionRef<bool(const TreeLeaf&, const TreeLeaf&)> same);
