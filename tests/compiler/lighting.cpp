@@ -74,7 +74,7 @@ Vec3d luxel_place(const world::Level& level, const world::Face& face, int column
                                     plane.distance);
 }
 
-std::vector<RoomLuxel> room_luxels(const LitResult& lit, double margin) {
+std::vector<RoomLuxel> room_luxels(const LitResult& lit, double margin, std::uint8_t style) {
   const auto level = world::make_level(lit.bsp, "room").value();
   std::vector<RoomLuxel> luxels;
   for (std::size_t i = 0; i < level->faces.size(); ++i) {
@@ -82,7 +82,10 @@ std::vector<RoomLuxel> room_luxels(const LitResult& lit, double margin) {
     if (face.kind == world::FaceKind::kSky) continue;
     const auto corners = vertices_of(lit.bsp, lit.bsp.faces[i]);
     const Vec3d normal = world::plane_of(*level, face).normal;
-    const bool has_light = face.light != world::kNoLight && face.styles[0] == 0;
+    const auto known = std::find(face.styles.begin(), face.styles.end(), style);
+    const bool has_light = face.light != world::kNoLight && known != face.styles.end();
+    const auto maps_before = static_cast<std::size_t>(known - face.styles.begin());
+    const auto luxels_of_map = static_cast<std::size_t>(face.light_width() * face.light_height());
     for (int row = 0; row < face.light_height(); ++row)
       for (int column = 0; column < face.light_width(); ++column) {
         const Vec3d place = luxel_place(*level, face, column, row);
@@ -92,7 +95,8 @@ std::vector<RoomLuxel> room_luxels(const LitResult& lit, double margin) {
         luxel.place_world = place + normal;
         luxel.normal = normal;
         if (!has_light) continue;
-        const std::size_t sample = face.light + static_cast<std::size_t>(row * face.light_width() + column);
+        const std::size_t sample = face.light + maps_before * luxels_of_map +
+                                   static_cast<std::size_t>(row * face.light_width() + column);
         luxel.grey = luxel.rgb[0] = luxel.rgb[1] = luxel.rgb[2] = level->light.at(sample);
         if (lit.summary.coloured)
           std::copy_n(lit.summary.lit.samples.begin() + static_cast<std::ptrdiff_t>(sample * 3), 3,

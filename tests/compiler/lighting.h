@@ -43,11 +43,11 @@ struct RoomLuxel {
   bool of_world = true;          // not of a brush entity
   math::Vec3d place_world{0.0};  // a unit before the face, where light is measured
   math::Vec3d normal{0.0};
-  std::array<std::uint8_t, 3> rgb{};  // of style 0; without it dark
+  std::array<std::uint8_t, 3> rgb{};  // of the style asked for; without it dark
   std::uint8_t grey = 0;
 };
 // Those at least `margin` from their face's edges.
-std::vector<RoomLuxel> room_luxels(const LitResult& lit, double margin = 8);
+std::vector<RoomLuxel> room_luxels(const LitResult& lit, double margin = 8, std::uint8_t style = 0);
 std::ostream& operator<<(std::ostream& io_stream, const RoomLuxel& luxel);
 
 }  // namespace temblor::test
