@@ -68,6 +68,11 @@ base::Status check(const CompileCommandOptions& options) {
   if (options.fast && shared) return usage("--fast leaves nothing to share out");
   if (from_level && (options.watch || options.only == CompileStage::kBsp))
     return usage("a .bsp has no brushes: --watch and --only bsp need the .map");
+  if (from_level && (options.no_vis || options.bsp2 || options.built_mips || !options.wads.empty() ||
+                     !options.textures.empty()))
+    return usage(
+        "a .bsp keeps its textures and format, and gets visibility: --no-vis, --bsp2, --build-mips, --wad "
+        "and --textures need the .map");
   return base::Ok{};
 }
 

@@ -312,6 +312,9 @@ TEST_F(CompileProgram, WhatIsWrongIsOneLine) {
       {{"compile", "none.bsp"}, 1, {"none.bsp"}},
       {{"compile", "broken.bsp"}, 1, {"broken.bsp"}},
       {{"compile", "none.bsp", "--watch"}, 2, {"--watch"}},
+      {{"compile", "none.bsp", "--bsp2"}, 2, {"--bsp2", ".map"}},
+      {{"compile", "none.bsp", "--no-vis"}, 2, {"--no-vis", ".map"}},
+      {{"compile", "none.bsp", "--wad", "none.wad"}, 2, {"--wad", ".map"}},
   };
   for (const Case& c : cases) {
     const ProgramRun run = run_program(folder_.path(), c.words);

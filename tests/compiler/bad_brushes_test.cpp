@@ -134,7 +134,7 @@ TEST(BadMaps, AreToldAndStillALevel) {
         Case{entity_text("worldspawn", "", box_text(Vec3d(-5e5), Vec3d(5e5), "bad")) + start,
              "nothing is drawn"},
         Case{room_text() + entity_text("func_wall", "", box_text({0, 0, 0}, {8, 8, 8}, "origin")),
-             "brush entity without brushes: entity 2 (func_wall)"}}) {
+             "brush entity without brushes: entity 2 (func_wall), line 57"}}) {
     compiler::Warnings warnings;
     const auto result = try_draft_of(c.text, warnings);
     ASSERT_TRUE(result.ok()) << c.warning;

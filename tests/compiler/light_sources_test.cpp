@@ -193,10 +193,11 @@ TEST(LightSources, DevianceSpreadsOneLightOverSeveral) {
 
 TEST(LightSources, WhatIsUnknownIsSaid) {
   const LitResult lit =
-      test::light(room_with({"{ 'classname' 'light' 'origin' '0 0 0' 'delay' '7' }"
+      test::light(room_with({"{ 'classname' 'light' 'origin' '8 0 0' 'delay' '7' }"
                              "{ 'classname' 'light' 'origin' '0 0 0' 'target' 'nobody' }"}));
   ASSERT_EQ(lit.warnings.size(), 2u);
   EXPECT_EQ(lit.warnings[0].kind, "light with an unknown delay");
+  EXPECT_EQ(lit.warnings[0].what, "light at \"8 0 0\"") << "numbers of a level's entities are not its map's";
   EXPECT_NE(lit.warnings[1].what.find("nobody"), std::string::npos);
 }
 

@@ -94,9 +94,9 @@ class Sorter {
       if (brushes_left_out_ > left_out_before)
         ++entities_left_out_;
       else
-        warnings_.push_back(
-            {"brush entity without brushes",
-             fmt::format("entity {} ({})", number, base::quotable(entity.fields.classname()))});
+        warnings_.push_back({"brush entity without brushes",
+                             fmt::format("entity {} ({}), line {}", number,
+                                         base::quotable(entity.fields.classname()), entity.line)});
       return;
     }
     out_.models.push_back(std::move(brushes));

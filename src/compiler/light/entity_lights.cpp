@@ -20,8 +20,9 @@ namespace {
 constexpr int kFirstSwitchableStyle = 32, kStyles = 64;
 constexpr float kDefaultValue = 300, kDefaultConeDeg = 40;
 
-std::string name_of(const formats::Entity& entity, std::size_t number) {
-  return fmt::format("entity {} ({} at \"{}\")", number, base::printable(entity.classname()),
+// By its place: a level numbers its entities otherwise than its map, which has groups and details among them.
+std::string name_of(const formats::Entity& entity) {
+  return fmt::format("{} at \"{}\"", base::printable(entity.classname()),
                      base::printable(entity.find("origin").value_or("")));
 }
 
@@ -66,7 +67,7 @@ std::optional<math::Vec3> spot_direction(std::span<const formats::Entity> entiti
     if (at && *at != origin) return glm::normalize(*at - origin);
     io_warnings.push_back(
         {"light without its target",
-         fmt::format("{}: nothing is named \"{}\"", name_of(entity, number), base::printable(*target))});
+         fmt::format("{}: nothing is named \"{}\"", name_of(entity), base::printable(*target))});
     return std::nullopt;
   }
   return direction_of_mangle(entity, "mangle");
@@ -143,7 +144,7 @@ void add_light(std::span<const formats::Entity> entities, std::size_t number, co
   const formats::Entity& entity = entities[number];
   const std::optional<Attenuation> attenuation = attenuation_of(entity);
   if (!attenuation) {
-    io_warnings.push_back({"light with an unknown delay", name_of(entity, number)});
+    io_warnings.push_back({"light with an unknown delay", name_of(entity)});
     return;
   }
   LightSource light = light_of(entity, settings, *attenuation);
@@ -181,7 +182,7 @@ bool assign_switchable_styles(std::vector<formats::Entity>& io_entities, Warning
     auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
       if (names.size() == kStyles - kFirstSwitchableStyle) {
-        io_warnings.push_back({"too many switchable lights", name_of(entity, number)});
+        io_warnings.push_back({"too many switchable lights", name_of(entity)});
         continue;
       }
       found = names.insert(names.end(), name);
