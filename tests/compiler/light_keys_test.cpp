@@ -120,10 +120,9 @@ TEST(LightKeys, OtherStylesBounceWhenAsked) {
                        style + "' }",
                    keys}));
   };
-  constexpr double kMargin = 8;
   const auto plain = room_luxels(spot("0", "'_bounce' '2'"));
-  const auto unstyled = room_luxels(spot("3", "'_bounce' '2'"), kMargin, 3);
-  const auto styled = room_luxels(spot("3", "'_bounce' '2' '_bouncestyled' '1'"), kMargin, 3);
+  const auto unstyled = room_luxels(spot("3", "'_bounce' '2'"), 3);
+  const auto styled = room_luxels(spot("3", "'_bounce' '2' '_bouncestyled' '1'"), 3);
   ASSERT_EQ(plain.size(), styled.size());
   int bounced = 0;
   for (std::size_t i = 0; i < plain.size(); ++i) {
