@@ -74,7 +74,10 @@ base::Status write_level(const compiler::Build& build, const std::optional<compi
   TRY_STATUS(replace_or_remove(paths.points, points));
   TRY_STATUS(replace_or_remove(paths.leak_picture, picture));
   if (keep) beside = compiler::write_build(build, {bsp, lit.value_or(base::ByteVector{})});
-  return replace_or_remove(paths.build, beside);
+  // The level is whole without it.
+  if (const base::Status kept = replace_or_remove(paths.build, beside); !kept.ok())
+    print_note(fmt::format("the next run makes everything anew: {}", kept.error().message()));
+  return base::Ok{};
 }
 
 base::Status write_visibility_begun(base::Bytes visibility_state, const LevelPaths& paths) {

@@ -32,6 +32,7 @@ struct Build {
   StageKey solid_occupants_key = 0;
   std::size_t own_textures = 0;  // of sides; others came along because they are frames of these
   std::vector<BrushEntity> brush_entities;
+  bool water_is_transparent = true;  // to visibility: what `portals` were made for
   PortalSet portals;
   FaceKeys face_keys;
 

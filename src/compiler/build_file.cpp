@@ -19,7 +19,8 @@ using base::ByteReader;
 using base::ByteWriter;
 
 constexpr std::uint32_t kMagic = 0x444c4254;  // "TBLD"
-constexpr std::uint32_t kVersion = 1;
+// To be raised when what is in the file means something else.
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kHashBytes = 8;
 constexpr const char* kCutOff = "build file: it ends within the {}";
 
@@ -145,6 +146,7 @@ void write_level_part(const Build& build, ByteWriter& io_writer) {
   io_writer.u32(static_cast<std::uint32_t>(build.own_textures));
   io_writer.u8(static_cast<std::uint8_t>(build.visibility));
   io_writer.write(build.mean_visible_share.value_or(-1));
+  io_writer.u8(build.water_is_transparent ? 1 : 0);
   io_writer.u32(static_cast<std::uint32_t>(build.brush_entities.size()));
   for (const BrushEntity& entity : build.brush_entities) {
     io_writer.u8(entity.is_in_level ? 1 : 0);
@@ -168,6 +170,7 @@ base::Status read_level_part(ByteReader& io_reader, Build& io_build) {
                            io_build.own_textures);
   io_build.visibility = static_cast<VisibilityKind>(visibility);
   if (const double share = io_reader.read<double>(); share >= 0) io_build.mean_visible_share = share;
+  io_build.water_is_transparent = io_reader.u8() != 0;
   io_build.brush_entities.resize(read_count(io_reader, 9));
   for (BrushEntity& entity : io_build.brush_entities) {
     entity.is_in_level = io_reader.u8() != 0;

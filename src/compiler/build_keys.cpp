@@ -15,7 +15,7 @@ namespace temblor::compiler {
 namespace {
 
 // To be raised when the BSP stage, or light, makes something else of the same input.
-constexpr std::uint64_t kBrushesMethod = 1, kLightMethod = 1;
+constexpr std::uint64_t kBrushesMethod = 2, kLightMethod = 2;
 
 // Keys of entities with brushes that only the game reads.
 constexpr std::array<std::string_view, 17> kGameKeys = {

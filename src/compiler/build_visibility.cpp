@@ -27,7 +27,6 @@ base::Status set_visibility(const BitMatrix& visible, VisibilityKind kind, Build
   TRY_STATUS(write_visibility(io_build.portals, visible, {}, io_build.bsp));
   io_build.mean_visible_share = mean_visible_share(io_build.portals, visible);
   io_build.visibility = kind;
-  io_build.visibility_state.clear();
   return base::Ok{};
 }
 
@@ -55,10 +54,9 @@ base::Status make_visibility(VisibilityKind kind, base::Jobs& jobs, CompileWatch
   if (kind == VisibilityKind::kRough)
     return set_visibility(roughly_visible_clusters(portals, jobs), kind, io_build);
   VisibilityState state = resumed(io_build);
-  if (const base::Status end = work_out(portals, jobs, watcher, state); !end.ok()) {
-    io_build.visibility_state = write_visibility_state(state);
-    return end;
-  }
+  const base::Status end = work_out(portals, jobs, watcher, state);
+  io_build.visibility_state = write_visibility_state(state);  // also if light is stopped after it
+  TRY_STATUS(end);
   return set_visibility(visible_clusters(portals, state), kind, io_build);
 }
 
@@ -79,10 +77,12 @@ base::Result<MergedVisibility> merge_visibility_shards(std::span<const base::Byt
   }
   const auto finished = std::ranges::count(state.finished, 1);
   const MergedVisibility merged{static_cast<std::size_t>(finished), state.finished.size()};
-  if (merged.finished_portals < merged.portals)
+  if (merged.finished_portals < merged.portals) {
     io_build.visibility_state = write_visibility_state(state);
-  else
+  } else {
     TRY_STATUS(set_visibility(visible_clusters(io_build.portals, state), VisibilityKind::kFull, io_build));
+    io_build.visibility_state.clear();
+  }
   return merged;
 }
 

@@ -52,11 +52,12 @@ base::Result<formats::Bsp> as_written(const formats::Bsp& bsp, bool bsp2) {
 }
 
 // With the pictures of its textures: a file knows no names without them.
-base::Result<Build> build_of(Draft draft, const TextureSet& textures, bool bsp2) {
+base::Result<Build> build_of(Draft draft, const TextureSet& textures, const CompileOptions& options) {
   Build build;
   build.own_textures = draft.bsp.miptexes.size();
+  build.water_is_transparent = options.draft.water_is_transparent;
   put_textures(textures, build.own_textures, draft.bsp);
-  TRY(build.bsp, as_written(draft.bsp, bsp2));
+  TRY(build.bsp, as_written(draft.bsp, options.bsp2));
   build.brush_entities = std::move(draft.brush_entities);
   build.portals = std::move(draft.portals);
   build.face_keys = {std::move(draft.surface_keys), std::move(draft.keys_of_face)};
@@ -66,6 +67,9 @@ base::Result<Build> build_of(Draft draft, const TextureSet& textures, bool bsp2)
 bool is_up_to_date(const Build& build, StageKey brushes_key, const formats::Map& map,
                    const CompileOptions& options) {
   if (build.bsp.models.empty() || build.brushes_key != brushes_key) return false;
+  const auto brush_entities = std::ranges::count_if(
+      map.entities, [](const formats::MapEntity& entity) { return !is_point_entity(entity); });
+  if (static_cast<std::size_t>(brush_entities) != build.brush_entities.size()) return false;
   // What visibility wrote into leafs and models is not undone, but made without.
   if (options.visibility_wish == StageWish::kLeaveOut && build.visibility != VisibilityKind::kNone)
     return false;
@@ -87,7 +91,7 @@ base::Status make_brushes(const formats::Map& map, const TextureSet& textures, c
   TRY(DraftResult made, io_stages.run("bsp", [&] {
     return make_draft(map, size, options.draft, jobs, io_warnings, progress);
   }));
-  TRY(Build build, build_of(std::move(made.draft), textures, options.bsp2));
+  TRY(Build build, build_of(std::move(made.draft), textures, options));
   build.visibility_state = std::move(io_build.visibility_state);
   build.light_cache = std::move(io_build.light_cache);
   io_build = std::move(build);
@@ -124,6 +128,11 @@ base::Status finish(const formats::Palette& palette, const CompileOptions& optio
   return io_stages.run("light", [&] { return make_light(how, jobs, progress, io_build, io_warnings); });
 }
 
+// What the state led to is in the level.
+void forget_finished_visibility(Build& io_build) {
+  if (io_build.visibility == VisibilityKind::kFull) io_build.visibility_state.clear();
+}
+
 }  // namespace
 
 base::Result<CompileReport> compile_level(const formats::Map& map, std::span<const TextureSource> sources,
@@ -137,6 +146,7 @@ base::Result<CompileReport> compile_level(const formats::Map& map, std::span<con
   });
   TRY_STATUS(make_brushes(map, textures, options, jobs, watcher, stages, io_build, report, io_warnings));
   TRY_STATUS(finish(palette, options, jobs, watcher, report.leak.has_value(), stages, io_build, io_warnings));
+  forget_finished_visibility(io_build);
   return report;
 }
 
@@ -147,6 +157,7 @@ base::Result<Build> build_of_level(formats::Bsp bsp, std::optional<formats::Lit>
   TRY(build.portals, make_tree_portals(bsp, {water_is_transparent, Clusters::kSharedVisibility}));
   build.face_keys = face_keys_of(bsp, entities);
   build.own_textures = bsp.miptexes.size();
+  build.water_is_transparent = water_is_transparent;
   build.bsp = std::move(bsp);
   build.lit = std::move(lit);
   return build;
@@ -157,7 +168,13 @@ base::Result<CompileReport> finish_level(const formats::Palette& palette, const 
                                          Warnings& io_warnings) {
   CompileReport report;
   Stages stages(watcher, report.times);
+  if (const bool water = options.draft.water_is_transparent; water != io_build.water_is_transparent) {
+    TRY(io_build.portals, make_tree_portals(io_build.bsp, {water, Clusters::kSharedVisibility}));
+    io_build.water_is_transparent = water;
+    io_build.visibility = VisibilityKind::kNone;
+  }
   TRY_STATUS(finish(palette, options, jobs, watcher, false, stages, io_build, io_warnings));
+  forget_finished_visibility(io_build);
   return report;
 }
 

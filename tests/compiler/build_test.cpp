@@ -239,6 +239,29 @@ TEST(Build, VisibilityThatWasStoppedIsKept) {
   expect_same_level(next, make(place));
 }
 
+TEST(Build, LevelWithoutItsMapKeepsWhatIsNotLight) {
+  base::Jobs jobs(1, base::JobBackend::kStdThread);
+  compiler::CompileWatcher nobody;
+  compiler::Warnings warnings;
+  formats::Bsp bsp = make({}).bsp;
+  bsp.bspx.push_back({"BRUSHLIST", base::ByteVector(4)});
+  Build build = compiler::build_of_level(bsp, {}, true).value();
+  CompileOptions options;
+  options.light_wish = StageWish::kLeaveOut;
+  const auto finish = [&] {
+    return stages_run(
+        compiler::finish_level(artgen::make_palette(), options, jobs, nobody, build, warnings).value());
+  };
+  const std::vector<std::string> visibility_alone{"visibility"};
+  EXPECT_EQ(finish(), visibility_alone);
+  EXPECT_TRUE(build.bsp.lighting.empty());
+  EXPECT_EQ(build.bsp.find_bspx("RGBLIGHTING"), nullptr);
+  EXPECT_NE(build.bsp.find_bspx("BRUSHLIST"), nullptr);
+  EXPECT_TRUE(finish().empty());
+  options.draft.water_is_transparent = false;
+  EXPECT_EQ(finish(), visibility_alone) << "its portals are others";
+}
+
 TEST(BuildFile, ReadsBackEqual) {
   const Files files = files_of(make({}));
   EXPECT_EQ(files_of(reread(files)).build, files.build);

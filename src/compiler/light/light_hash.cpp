@@ -1,12 +1,19 @@
 #include "compiler/light/light_hash.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "base/hash.h"
 #include "formats/palette.h"
 
 namespace temblor::compiler {
 namespace {
+
+// The BSPX lumps that hold light, or how it lies on faces, whoever wrote them.
+constexpr std::array<std::string_view, 9> kLightLumps = {"RGBLIGHTING", "LIGHTINGDIR",  "LIGHTING_E5BGR9",
+                                                         "LMSHIFT",     "LMOFFSET",     "LMSTYLE",
+                                                         "LMSTYLE16",   "DECOUPLED_LM", "LIGHTGRID_OCTREE"};
 
 std::uint64_t with_bytes(std::uint64_t hash, base::Bytes bytes) {
   return base::hash_with_bytes(base::hash_with(hash, bytes.size()), bytes);
@@ -38,7 +45,9 @@ std::uint64_t hash_of_level(const formats::Bsp& bsp, const FaceKeys& face_keys) 
 formats::Bsp unlit(const formats::Bsp& bsp) {
   formats::Bsp copy = bsp;
   copy.lighting.clear();
-  copy.bspx.clear();
+  std::erase_if(copy.bspx, [](const formats::BspxLump& lump) {
+    return std::find(kLightLumps.begin(), kLightLumps.end(), lump.name) != kLightLumps.end();
+  });
   for (formats::BspFace& face : copy.faces) {
     face.styles = {255, 255, 255, 255};
     face.light_offset = -1;
