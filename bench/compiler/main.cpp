@@ -179,16 +179,11 @@ void print_row(const std::string& what, const std::string& measured, const std::
   fmt::print("| {} | {} | {} |\n", what, measured, goal);
 }
 
-void print_map(const std::string& program, const fs::path& data, const Goals& goals) {
-  const std::string name = goals.map;
-  const Bench bench(data, name);
-  std::vector<Run> one, two, fine, moved;
-  for (int i = 0; i < kRuns; ++i) {
-    one.push_back(bench.run(1, 1));
-    two.push_back(bench.run(2, 1));
-    fine.push_back(bench.run(1, 4));
-    moved.push_back(bench.run_with_lamp_moved(one.back()));
-  }
+struct ProgramCosts {
+  double fast_s = 0, peak_megabytes = 0;
+};
+
+ProgramCosts measure_program(const std::string& program, const fs::path& data, const std::string& name) {
   const fs::path out = fs::temp_directory_path() / fmt::format("temblor_bench_{}.bsp", getpid());
   const auto compile = [&](std::vector<std::string> more) {
     std::vector<std::string> words = {"--basedir", data.string(),
@@ -198,14 +193,26 @@ void print_map(const std::string& program, const fs::path& data, const Goals& go
     words.insert(words.end(), more.begin(), more.end());
     return run_program(program, words);
   };
-  const ProcessCost whole = compile({"--clean"});
+  const ProcessCost whole = compile({});
   std::vector<double> fast_s;
   for (int i = 0; i < kRuns; ++i) fast_s.push_back(compile({"--fast", "--clean"}).wall_s);
   for (const char* ending : {".bsp", ".lit"}) {
     std::error_code ignored;
     fs::remove(fs::path(out).replace_extension(ending), ignored);
   }
+  return {median(fast_s), whole.peak_megabytes};
+}
 
+void print_map(const fs::path& data, const Goals& goals, const ProgramCosts& costs) {
+  const std::string name = goals.map;
+  const Bench bench(data, name);
+  std::vector<Run> one, two, fine, moved;
+  for (int i = 0; i < kRuns; ++i) {
+    one.push_back(bench.run(1, 1));
+    two.push_back(bench.run(2, 1));
+    fine.push_back(bench.run(1, 4));
+    moved.push_back(bench.run_with_lamp_moved(one.back()));
+  }
   fmt::print("\n### {}\n\n| what | measured | goal |\n| --- | --- | --- |\n", name);
   const std::array<std::pair<const char*, double>, 3> stages = {
       {{"bsp", goals.bsp_s}, {"visibility", goals.visibility_s}, {"light", goals.light_s}}};
@@ -223,9 +230,9 @@ void print_map(const std::string& program, const fs::path& data, const Goals& go
   print_row("light after a lamp moved / all of it",
             fmt::format("{:.2f}", median_of(moved, "light").cpu / median_of(one, "light").cpu),
             "under a third");
-  print_row("--fast, whole program", fmt::format("{:.2f} s", median(fast_s)),
+  print_row("--fast, whole program", fmt::format("{:.2f} s", costs.fast_s),
             goals.fast_s > 0 ? fmt::format("under {} s", goals.fast_s) : "-");
-  print_row("peak memory, whole program", fmt::format("{:.0f} MB", whole.peak_megabytes), "under 300 MB");
+  print_row("peak memory, whole program", fmt::format("{:.0f} MB", costs.peak_megabytes), "under 300 MB");
   const compiler::Build& level = one.front().level;
   print_row("leafs seen on average", fmt::format("{:.1f} %", level.mean_visible_share.value_or(1) * 100),
             fmt::format("(existing tool {} %)", goals.leafs_seen_percent));
@@ -242,7 +249,11 @@ int main(int count, char** arguments) {
     fmt::print(stderr, "usage: TEMBLOR_DATA=FOLDER compile_bench PROGRAM\n");
     return 1;
   }
-  fmt::print("## Compiling\n");
+  // Programs first: to the system a child's peak of memory begins with what its parent has.
+  std::vector<temblor::bench::ProgramCosts> costs;
   for (const temblor::bench::Goals& goals : temblor::bench::kGoals)
-    temblor::bench::print_map(arguments[1], data, goals);
+    costs.push_back(temblor::bench::measure_program(arguments[1], data, goals.map));
+  fmt::print("## Compiling\n");
+  for (std::size_t i = 0; i < costs.size(); ++i)
+    temblor::bench::print_map(data, temblor::bench::kGoals[i], costs[i]);
 }
