@@ -29,9 +29,10 @@ struct SurfaceKeys {
   std::int8_t auto_min_light = 0;
   bool takes_dirt = true;
   bool takes_bounce = true;
-  bool ignores_light = false;  // _lightignore
-  float light_map_scale = 1;   // _lmscale: 0.5: twice as many samples each way
-  float light_alpha = 1;       // _light_alpha: how much of the light a face lets not through
+  bool ignores_light = false;   // _lightignore
+  bool lights_liquids = false;  // _litwater: liquids have light maps
+  float light_map_scale = 1;    // _lmscale: 0.5: twice as many samples each way
+  float light_alpha = 1;        // _light_alpha: how much of the light a face lets not through
   bool operator==(const SurfaceKeys&) const = default;
 };
 
@@ -43,6 +44,7 @@ void visit_fields(Keys& keys, const Visit& visit) {
   for (auto& part : keys.min_light_colour) visit(part);
   visit(keys.shadows_own_model_only), visit(keys.shadows_world_only), visit(keys.auto_min_light);
   visit(keys.casts_shadow), visit(keys.takes_dirt), visit(keys.takes_bounce), visit(keys.ignores_light);
+  visit(keys.lights_liquids);
   visit(keys.light_map_scale), visit(keys.light_alpha);
 }
 

@@ -50,6 +50,7 @@ SurfaceKeys surface_keys_of(const formats::Entity& entity) {
   keys.takes_dirt = number_or(entity, "dirt", 0) >= 0;
   keys.takes_bounce = number_or(entity, "bounce", 0) >= 0;
   keys.ignores_light = number_or(entity, "lightignore", 0) > 0;
+  keys.lights_liquids = number_or(entity, "litwater", 0) > 0;
   const float scale = number_or(entity, "lmscale", 1);
   keys.light_map_scale = scale > 0 ? scale : 1;
   const float alpha = number_or(entity, "light_alpha", number_or(entity, "alpha", 1));

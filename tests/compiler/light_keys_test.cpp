@@ -134,5 +134,20 @@ TEST(LightKeys, OtherStylesBounceWhenAsked) {
   EXPECT_GT(bounced, 10);
 }
 
+TEST(LightKeys, LiquidsHaveLightMapsWhenAsked) {
+  const auto luxels_of_water = [](const char* world_keys, const char* group_keys) {
+    const auto level =
+        lit_map(entity_text("worldspawn", world_keys, walls_text({-128, -128, 0}, {128, 128, 256}, "wall")) +
+                point_text("info_player_start", {0, 0, 40}) + point_text("light", {0, 0, 200}) +
+                entity_text("func_group", group_keys, box_text({-128, -128, 0}, {128, 128, 64}, "*water")));
+    const Vec3d surface(0, 0, 64);
+    return shown_light(*level, face_under(*level, surface, {0, 0, 1}), surface).x;
+  };
+  EXPECT_EQ(luxels_of_water("", ""), 0);
+  EXPECT_GT(luxels_of_water("\"_litwater\" \"1\"", ""), 0);
+  EXPECT_EQ(luxels_of_water("\"_litwater\" \"1\"", "\"_litwater\" \"0\""), 0);
+  EXPECT_GT(luxels_of_water("", "\"_litwater\" \"1\""), 0);
+}
+
 }  // namespace
 }  // namespace temblor::test

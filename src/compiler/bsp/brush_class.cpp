@@ -79,10 +79,13 @@ Special special_of(const formats::MapBrush& brush) {
   return found;
 }
 
+bool is_liquid(Special special) {
+  return special == Special::kWater || special == Special::kSlime || special == Special::kLava;
+}
+
 bool is_drawn(std::string_view texture) {
   const Special special = special_of(texture);
-  if (special == Special::kWater || special == Special::kSlime || special == Special::kLava)
-    return !base::to_lower(texture).ends_with("skip");
+  if (is_liquid(special)) return !base::to_lower(texture).ends_with("skip");
   return special == Special::kNone || special == Special::kSky;
 }
 

@@ -24,6 +24,7 @@ BrushClass brush_class_of(const formats::Entity& fields);
 enum class Special { kNone, kWater, kSlime, kLava, kSky, kClip, kSkip, kHint, kHintSkip, kOrigin };
 
 Special special_of(std::string_view texture);
+bool is_liquid(Special special);
 // The first side that says something decides; a hint or origin brush is one with any such side.
 Special special_of(const formats::MapBrush& brush);
 // Whether a side with this texture is drawn at all.

@@ -12,6 +12,7 @@
 #include "compiler/bsp/brush_class.h"
 #include "compiler/bsp/level_entities.h"
 #include "compiler/bsp/region.h"
+#include "compiler/light/keys.h"
 #include "compiler/surface_keys.h"
 #include "compiler/texture_axes.h"
 
@@ -190,7 +191,9 @@ class Sorter {
   }
 
   std::uint32_t add_keys(const formats::Entity& fields) {
-    const SurfaceKeys keys = surface_keys_of(fields);
+    SurfaceKeys keys = surface_keys_of(fields);
+    const float of_world = number_or(map_.entities.front().fields, "litwater", 0);
+    keys.lights_liquids = number_or(fields, "litwater", of_world) > 0;
     const auto known = std::find(out_.surface_keys.begin(), out_.surface_keys.end(), keys);
     if (known != out_.surface_keys.end())
       return static_cast<std::uint32_t>(known - out_.surface_keys.begin());
@@ -208,7 +211,9 @@ class Sorter {
         side_axes(from.texturing, out_.planes[side.plane].normal, texture_size_(from.texture));
     if (found.replaced) warn("texture axes that do not lie on the side");
     TextureAxes axes = found.axes;
-    const bool is_lit = special_of(from.texture) == Special::kNone;
+    const Special special = special_of(from.texture);
+    const bool is_lit =
+        special == Special::kNone || (is_liquid(special) && out_.surface_keys[keys].lights_liquids);
     if (is_lit && (stretch_to_fit(side.winding, axes.s_axis, axes.s_offset) |
                    stretch_to_fit(side.winding, axes.t_axis, axes.t_offset)))
       warn("texture so small, or side so large, that it was stretched");
