@@ -34,7 +34,8 @@ void FileWatch::wait() {
 FileWatch::State FileWatch::state_of(const std::filesystem::path& file) {
   std::error_code failure;
   State state;
-  state.bytes = std::filesystem::file_size(file, failure);
+  const bool is_folder = std::filesystem::is_directory(file, failure);
+  if (!is_folder) state.bytes = std::filesystem::file_size(file, failure);
   if (failure) return {};
   state.written = std::filesystem::last_write_time(file, failure);
   if (failure) return {};

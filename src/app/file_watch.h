@@ -11,7 +11,7 @@ namespace temblor::app {
 class FileWatch {
  public:
   // Watches them from now on; what is watched already stays so from where it was. A file that is not there
-  // is watched too.
+  // is watched too; a folder changes when a file comes into it or goes.
   void add(const std::vector<std::filesystem::path>& files);
 
   // Whether any file is another one than at the last change (or when it was added), and all have stood still

@@ -44,10 +44,10 @@ base::Result<base::ByteVector> wad_of(const std::vector<fs::path>& pictures,
 // The first that is a file and can be read.
 bool add_first_of(const std::vector<fs::path>& candidates, TextureFiles& io_files) {
   for (const fs::path& path : candidates) {
+    io_files.paths.push_back(path);
     base::Result<base::ByteVector> file = vfs::read_disk_file(path);
     if (!file.ok()) continue;
     io_files.add(path.filename().string(), std::move(file).value());
-    io_files.paths.push_back(path);
     return true;
   }
   return false;
@@ -74,6 +74,7 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
   if (!places.pictures.empty()) {
     TRY(files.paths, find_pictures(places.pictures));
     TRY(base::ByteVector wad, wad_of(files.paths, palette));
+    files.paths.emplace_back(places.pictures);
     files.add(places.pictures, std::move(wad));
   }
   std::vector<fs::path> folders;

@@ -19,7 +19,7 @@ namespace temblor::app {
 struct TextureFiles {
   std::vector<std::unique_ptr<base::ByteVector>> bytes;
   std::vector<compiler::TextureSource> sources;
-  std::vector<std::filesystem::path> paths;  // of all that was read
+  std::vector<std::filesystem::path> paths;  // of all that was read, or looked for in vain
 
   void add(std::string name, base::ByteVector file);
 };

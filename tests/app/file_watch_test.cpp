@@ -63,5 +63,15 @@ TEST_F(FileWatchTest, AddingAgainForgetsNothing) {
   EXPECT_TRUE(watch_.has_changed());
 }
 
+TEST_F(FileWatchTest, FolderChangesWhenAFileComes) {
+  std::filesystem::create_directory(path("art"));
+  std::filesystem::last_write_time(path("art"), start_ - std::chrono::seconds(10));
+  watch_.add({path("art")});
+  EXPECT_FALSE(watch_.has_changed());
+  folder_.write("art/brick.png", "brick");
+  EXPECT_FALSE(watch_.has_changed());
+  EXPECT_TRUE(watch_.has_changed());
+}
+
 }  // namespace
 }  // namespace temblor::test
