@@ -214,9 +214,11 @@ class Sorter {
     const Special special = special_of(from.texture);
     const bool is_lit =
         special == Special::kNone || (is_liquid(special) && out_.surface_keys[keys].lights_liquids);
-    if (is_lit && (stretch_to_fit(side.winding, axes.s_axis, axes.s_offset) |
-                   stretch_to_fit(side.winding, axes.t_axis, axes.t_offset)))
-      warn("texture so small, or side so large, that it was stretched");
+    if (is_lit) {
+      const bool stretched_s = stretch_to_fit(side.winding, axes.s_axis, axes.s_offset);
+      const bool stretched_t = stretch_to_fit(side.winding, axes.t_axis, axes.t_offset);
+      if (stretched_s || stretched_t) warn("texture so small, or side so large, that it was stretched");
+    }
     // The brush was moved, and its texture with it.
     axes.s_offset += glm::dot(origin_world, axes.s_axis);
     axes.t_offset += glm::dot(origin_world, axes.t_axis);
