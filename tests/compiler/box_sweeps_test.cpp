@@ -7,6 +7,7 @@
 
 #include "compiler/brush_boxes.h"
 #include "compiler/compiled_maps.h"
+#include "compiler/drafts.h"
 #include "compiler/sight_lines.h"
 #include "support/effort.h"
 #include "support/game_data.h"
@@ -69,14 +70,7 @@ class BoxSweeps : public ::testing::TestWithParam<const char*> {};
 TEST_P(BoxSweeps, EndWhereTheBrushesSay) {
   DATA_FOLDER_OR_SKIP(data);
   const formats::Map map = stock_map(data, GetParam());
-  base::Jobs jobs(2);
-  compiler::Warnings warnings;
-  compiler::DraftOptions options;
-  options.fill_outside = false;  // all that lies outside of brushes is empty
-  const auto draft = compiler::make_draft(
-      map, [](std::string_view) { return math::Vec2d(64, 64); }, options, jobs, warnings);
-  ASSERT_TRUE(draft.ok());
-  const auto level = world::make_level(draft.value().draft.bsp, "compiled").value();
+  const auto level = level_of_brushes(map);
 
   const Brushes brushes(map);
   Random random(17);

@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 #include "compiler/brush_boxes.h"
-#include "compiler/make_draft.h"
+#include "compiler/drafts.h"
 #include "support/effort.h"
 #include "support/game_data.h"
 #include "support/random.h"
@@ -29,14 +29,7 @@ constexpr std::array<std::pair<world::Hull, HullBox>, 2> kHulls = {
 constexpr double kUnsure = 0.1;  // units
 
 void expect_hulls_agree(const formats::Map& map, int points, Random& io_random) {
-  base::Jobs jobs(2);
-  compiler::Warnings warnings;
-  compiler::DraftOptions options;
-  options.fill_outside = false;  // all that lies outside of brushes is empty
-  const auto draft = compiler::make_draft(
-      map, [](std::string_view) { return math::Vec2d(64, 64); }, options, jobs, warnings);
-  ASSERT_TRUE(draft.ok());
-  const auto level = world::make_level(draft.value().draft.bsp, "compiled").value();
+  const auto level = level_of_brushes(map);
   const std::vector<Solid> solids = solids_of_world(map);
   int wrong = 0, solid_points = 0, sure = 0;
   for (int i = 0; i < points; ++i) {

@@ -41,6 +41,18 @@ compiler::DraftResult draft_of(const std::string& map_text, const compiler::Draf
       .value();
 }
 
+std::shared_ptr<const world::Level> level_of_brushes(const formats::Map& map) {
+  base::Jobs jobs(2);
+  compiler::Warnings warnings;
+  compiler::DraftOptions options;
+  options.fill_outside = false;
+  const compiler::DraftResult result =
+      compiler::make_draft(
+          map, [](std::string_view) { return math::Vec2d(64, 64); }, options, jobs, warnings)
+          .value();
+  return world::make_level(result.draft.bsp, "brushes").value();
+}
+
 base::Result<compiler::DraftResult> try_draft_of(const std::string& map_text,
                                                  compiler::Warnings& io_warnings) {
   TRY(const formats::Map map, formats::read_map(map_text));

@@ -20,6 +20,8 @@ std::string room_text(const std::string& more_brushes = {});
 // Every texture is 64 by 64 texels.
 compiler::DraftResult draft_of(const std::string& map_text, const compiler::DraftOptions& options = {},
                                int threads = 1);
+// A map's brushes as a level of which nothing is filled: what lies outside of them is empty.
+std::shared_ptr<const world::Level> level_of_brushes(const formats::Map& map);
 base::Result<compiler::DraftResult> try_draft_of(const std::string& map_text,
                                                  compiler::Warnings& io_warnings);
 
