@@ -87,6 +87,12 @@ TEST(Region, KeepsContentsOfEveryPointInIt) {
   }
 }
 
+TEST(Region, ShellOfSkyIsSky) {
+  const compiler::DraftResult part =
+      draft_of(hall(box_text({40, -100, 8}, {240, 100, 120}, "sky_region")), {.fill_outside = false});
+  EXPECT_EQ(contents_at(part, {140, 0, 128}), world::Contents::kSky);
+}
+
 TEST(Region, WithoutAPlayerStartIsAWarning) {
   compiler::Warnings warnings;
   ASSERT_TRUE(try_draft_of(hall(box_text({40, -100, 8}, {240, 100, 120}, "region")), warnings).ok());

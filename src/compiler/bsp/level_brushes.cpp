@@ -108,10 +108,12 @@ class Sorter {
   void close_region() {
     constexpr std::uint32_t kNoKeys = 0;
     const math::Vec3d origin_world(0.0);
+    BrushClass world;
+    world.is_world = true;
     for (const formats::MapBrush& wall : region_->shell())
       if (auto solid = make_solid(wall, region_->place, origin_world, out_.planes, warnings_))
         out_.models.front().push_back(
-            to_brush(wall, std::move(*solid), region_->place, BrushClass{}, origin_world, kNoKeys));
+            to_brush(wall, std::move(*solid), region_->place, world, origin_world, kNoKeys));
     warnings_.push_back({"only a region is compiled",
                          fmt::format("{}; left out: {} brushes, {} entities", describe(region_->place),
                                      brushes_left_out_, entities_left_out_)});
