@@ -112,7 +112,7 @@ base::Status check_output(const fs::path& source, const LevelPaths& paths) {
   if (!is_level(source) && are_one_file(source, paths.bsp))
     return base::Error{base::ErrorCode::kUsage, "is the map itself: -o names the level that is made of it",
                        paths.bsp.string()};
-  for (const fs::path& beside : {paths.lit, paths.points, paths.build})
+  for (const fs::path& beside : {paths.lit, paths.points, paths.build, paths.visibility})
     if (beside == paths.bsp)
       return base::Error{base::ErrorCode::kUsage,
                          "is what another file beside the level is called: -o NAME.bsp", paths.bsp.string()};

@@ -44,17 +44,21 @@ base::Status replace_or_remove(const fs::path& path, const std::optional<base::B
 
 LevelPaths level_paths(const fs::path& bsp) {
   const auto with = [&](const char* ending) { return fs::path(bsp).replace_extension(ending); };
-  return {bsp, with(".lit"), with(".pts"), with(".leak.png"), with(".build")};
+  return {bsp, with(".lit"), with(".pts"), with(".leak.png"), with(".build"), with(".visibility")};
 }
 
 compiler::Build read_build_file(const LevelPaths& paths) {
-  const base::ByteVector build = bytes_of(paths.build);
-  if (build.empty()) return {};
-  const base::ByteVector bsp = bytes_of(paths.bsp), lit = bytes_of(paths.lit);
-  base::Result<compiler::Build> read = compiler::read_build(build, {bsp, lit});
-  if (read.ok()) return std::move(read).value();
-  print_note(fmt::format("{}: everything is made anew: {}", paths.build.string(), read.error().what));
-  return {};
+  compiler::Build build;
+  if (const base::ByteVector bytes = bytes_of(paths.build); !bytes.empty()) {
+    const base::ByteVector bsp = bytes_of(paths.bsp), lit = bytes_of(paths.lit);
+    base::Result<compiler::Build> read = compiler::read_build(bytes, {bsp, lit});
+    if (read.ok())
+      build = std::move(read).value();
+    else
+      print_note(fmt::format("{}: everything is made anew: {}", paths.build.string(), read.error().what));
+  }
+  build.visibility_state = bytes_of(paths.visibility);
+  return build;
 }
 
 base::Status write_level(const compiler::Build& build, const std::optional<compiler::LeakWay>& leak,
@@ -77,11 +81,13 @@ base::Status write_level(const compiler::Build& build, const std::optional<compi
   // The level is whole without it.
   if (const base::Status kept = replace_or_remove(paths.build, beside); !kept.ok())
     print_note(fmt::format("the next run makes everything anew: {}", kept.error().message()));
-  return base::Ok{};
+  std::optional<base::ByteVector> begun;
+  if (keep && !build.visibility_state.empty()) begun = build.visibility_state;
+  return replace_or_remove(paths.visibility, begun);
 }
 
 base::Status write_visibility_begun(base::Bytes visibility_state, const LevelPaths& paths) {
-  return replace_file(paths.build, compiler::write_unfinished_build(visibility_state));
+  return replace_file(paths.visibility, visibility_state);
 }
 
 }  // namespace temblor::app

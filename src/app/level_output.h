@@ -16,6 +16,7 @@ struct LevelPaths {
   std::filesystem::path points;        // .pts: the way of a leak, as editors show it
   std::filesystem::path leak_picture;  // .leak.png
   std::filesystem::path build;         // .build: what lets the next run keep what did not change
+  std::filesystem::path visibility;    // .visibility: begun and not finished, of whatever is being compiled
 };
 LevelPaths level_paths(const std::filesystem::path& bsp);
 

@@ -1,13 +1,11 @@
 // Layout, little-endian:
-//   u32 "TBLD", u32 version, u64 hash of the level's bytes (0: of no level), u64 hash of the .lit's
-//   u64 bytes of visibility state, and those bytes
+//   u32 "TBLD", u32 version, u64 hash of the level's bytes, u64 hash of the .lit's
 //   of a level: keys, brush entities, portals, keys of faces (see the functions below)
 //   u64 bytes of light cache, and those bytes
 //   u64 hash of all bytes before
 #include "compiler/build_file.h"
 
-#include <algorithm>
-#include <bit>
+#include <array>
 #include <span>
 
 #include "base/hash.h"
@@ -20,14 +18,9 @@ using base::ByteWriter;
 
 constexpr std::uint32_t kMagic = 0x444c4254;  // "TBLD"
 // To be raised when what is in the file means something else.
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 constexpr std::size_t kHashBytes = 8;
 constexpr const char* kCutOff = "build file: it ends within the {}";
-
-// Never 0, which stands for no file.
-std::uint64_t hash_of_file(base::Bytes bytes) {
-  return std::max<std::uint64_t>(1, base::hash_of_bytes(bytes));
-}
 
 void write_text(std::string_view text, ByteWriter& io_writer) {
   io_writer.u32(static_cast<std::uint32_t>(text.size()));
@@ -184,33 +177,17 @@ base::Status read_level_part(ByteReader& io_reader, Build& io_build) {
   return base::Ok{};
 }
 
-void write_start(std::uint64_t bsp_hash, std::uint64_t lit_hash, base::Bytes visibility_state,
-                 ByteWriter& io_writer) {
-  io_writer.u32(kMagic);
-  io_writer.u32(kVersion);
-  io_writer.write(bsp_hash);
-  io_writer.write(lit_hash);
-  write_block(visibility_state, io_writer);
-}
-
-base::ByteVector finished(ByteWriter writer) {
-  writer.write(base::hash_of_bytes(writer.view()));
-  return std::move(writer).take();
-}
-
 }  // namespace
 
 base::ByteVector write_build(const Build& build, const LevelFiles& files) {
   ByteWriter writer;
-  write_start(hash_of_file(files.bsp), hash_of_file(files.lit), build.visibility_state, writer);
+  const std::array<std::uint32_t, 2> start{kMagic, kVersion};
+  const std::array<std::uint64_t, 2> hashes{base::hash_of_bytes(files.bsp), base::hash_of_bytes(files.lit)};
+  writer.bytes(std::as_bytes(std::span(start)));
+  writer.bytes(std::as_bytes(std::span(hashes)));
   write_level_part(build, writer);
-  return finished(std::move(writer));
-}
-
-base::ByteVector write_unfinished_build(base::Bytes visibility_state) {
-  ByteWriter writer;
-  write_start(0, 0, visibility_state, writer);
-  return finished(std::move(writer));
+  writer.write(base::hash_of_bytes(writer.view()));
+  return std::move(writer).take();
 }
 
 base::Result<Build> read_build(base::Bytes bytes, const LevelFiles& files) {
@@ -226,10 +203,9 @@ base::Result<Build> read_build(base::Bytes bytes, const LevelFiles& files) {
 
   Build build;
   const auto bsp_hash = reader.read<std::uint64_t>(), lit_hash = reader.read<std::uint64_t>();
-  const base::Bytes state = read_block(reader);
-  build.visibility_state.assign(state.begin(), state.end());
-  if (!reader.ok()) return base::malformed(kCutOff, "visibility state");
-  if (files.bsp.empty() || bsp_hash != hash_of_file(files.bsp) || lit_hash != hash_of_file(files.lit))
+  if (!reader.ok()) return base::malformed(kCutOff, "hashes");
+  if (files.bsp.empty() || bsp_hash != base::hash_of_bytes(files.bsp) ||
+      lit_hash != base::hash_of_bytes(files.lit))
     return build;
   TRY(build.bsp, formats::read_bsp(files.bsp));
   if (!files.lit.empty()) {

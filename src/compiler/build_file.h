@@ -13,14 +13,12 @@ struct LevelFiles {
   base::Bytes bsp, lit;
 };
 
-// The same bytes for equal builds. `files`: those written of this build.
+// The same bytes for equal builds. `files`: those written of this build. Visibility that is begun is not in
+// it: that lasts longer than the level.
 base::ByteVector write_build(const Build& build, const LevelFiles& files);
 
-// A build of which nothing but visibility that is begun is worth keeping: its level was not written.
-base::ByteVector write_unfinished_build(base::Bytes visibility_state);
-
-// The build whose level `files` are. Where they are not those that it was written with, nothing is kept but
-// visibility that is begun. kUnsupported: of another version; kMalformed: damaged.
+// The build whose level `files` are; an empty one where they are not those that it was written with.
+// kUnsupported: of another version; kMalformed: damaged.
 base::Result<Build> read_build(base::Bytes bytes, const LevelFiles& files);
 
 }  // namespace temblor::compiler

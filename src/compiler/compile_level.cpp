@@ -103,15 +103,20 @@ base::Status make_brushes(const formats::Map& map, const TextureSet& textures, c
   return base::Ok{};
 }
 
-base::Status finish(const formats::Palette& palette, const CompileOptions& options, base::Jobs& jobs,
-                    CompileWatcher& watcher, bool leaks, Stages& io_stages, Build& io_build,
-                    Warnings& io_warnings) {
+// Whether it was made.
+base::Result<bool> bring_visibility(const CompileOptions& options, base::Jobs& jobs, CompileWatcher& watcher,
+                                    bool leaks, Stages& io_stages, Build& io_build) {
   const VisibilityKind wanted = options.fast_visibility ? VisibilityKind::kRough : VisibilityKind::kFull;
-  if (!leaks && options.visibility_wish == StageWish::kMake && io_build.visibility != wanted)
+  if (!leaks && options.visibility_wish == StageWish::kMake && io_build.visibility != wanted) {
     TRY_STATUS(io_stages.run("visibility", [&] { return make_visibility(wanted, jobs, watcher, io_build); }));
-  else if (io_build.visibility != VisibilityKind::kNone)
-    io_stages.keep("visibility");
+    return true;
+  }
+  if (io_build.visibility != VisibilityKind::kNone) io_stages.keep("visibility");
+  return false;
+}
 
+base::Status bring_light(const formats::Palette& palette, const CompileOptions& options, base::Jobs& jobs,
+                         CompileWatcher& watcher, Stages& io_stages, Build& io_build, Warnings& io_warnings) {
   if (options.light_wish == StageWish::kLeaveOut) {
     remove_light(io_build);
     return base::Ok{};
@@ -128,9 +133,14 @@ base::Status finish(const formats::Palette& palette, const CompileOptions& optio
   return io_stages.run("light", [&] { return make_light(how, jobs, progress, io_build, io_warnings); });
 }
 
-// What the state led to is in the level.
-void forget_finished_visibility(Build& io_build) {
-  if (io_build.visibility == VisibilityKind::kFull) io_build.visibility_state.clear();
+base::Status finish(const formats::Palette& palette, const CompileOptions& options, base::Jobs& jobs,
+                    CompileWatcher& watcher, bool leaks, Stages& io_stages, Build& io_build,
+                    Warnings& io_warnings) {
+  TRY(const bool has_new_visibility, bring_visibility(options, jobs, watcher, leaks, io_stages, io_build));
+  TRY_STATUS(bring_light(palette, options, jobs, watcher, io_stages, io_build, io_warnings));
+  // Only now is it in a level that will be written. A state that is still there is of other portals.
+  if (has_new_visibility && io_build.visibility == VisibilityKind::kFull) io_build.visibility_state.clear();
+  return base::Ok{};
 }
 
 }  // namespace
@@ -146,7 +156,6 @@ base::Result<CompileReport> compile_level(const formats::Map& map, std::span<con
   });
   TRY_STATUS(make_brushes(map, textures, options, jobs, watcher, stages, io_build, report, io_warnings));
   TRY_STATUS(finish(palette, options, jobs, watcher, report.leak.has_value(), stages, io_build, io_warnings));
-  forget_finished_visibility(io_build);
   return report;
 }
 
@@ -174,7 +183,6 @@ base::Result<CompileReport> finish_level(const formats::Palette& palette, const 
     io_build.visibility = VisibilityKind::kNone;
   }
   TRY_STATUS(finish(palette, options, jobs, watcher, false, stages, io_build, io_warnings));
-  forget_finished_visibility(io_build);
   return report;
 }
 

@@ -236,19 +236,29 @@ std::string hall_of_pillars(int side) {
 }
 
 TEST_F(CompileProgram, StoppedVisibilityGoesOn) {
+  folder_.write("hall.map", lit_room());
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "hall.map"}).exit_status, 0);
+  const std::string old_level = read_text(folder_.path() / "hall.bsp");
   folder_.write("hall.map", hall_of_pillars(effort(14, 10)));
   const std::string map = (folder_.path() / "hall.map").string();
   const auto exists = [&](const char* name) { return std::filesystem::exists(folder_.path() / name); };
   // Stopped before visibility begins nothing is saved: then later.
-  for (int wait_ms = 100; wait_ms < 10'000 && !exists("hall.build"); wait_ms += wait_ms / 2) {
+  for (int wait_ms = 100; wait_ms < 10'000 && !exists("hall.visibility"); wait_ms += wait_ms / 2) {
     auto program =
         app::ChildProcess::start({TEMBLOR_PROGRAM, "compile", map, "--no-light", "--threads", "1"});
     ASSERT_TRUE(program.ok()) << program.error().message();
     std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
   }
-  ASSERT_TRUE(exists("hall.build"));
-  ASSERT_FALSE(exists("hall.bsp")) << "it was finished before it could be stopped";
+  ASSERT_TRUE(exists("hall.visibility"));
+  ASSERT_EQ(read_text(folder_.path() / "hall.bsp"), old_level)
+      << "it was finished before it could be stopped";
+  // The old level has lost nothing.
+  folder_.write("room.map", lit_room());
+  const ProgramRun back = run_program(folder_.path(), {"compile", "room.map", "-o", "hall.bsp"});
+  EXPECT_THAT(back.out, ContainsRegex("light +unchanged"));
+  ASSERT_TRUE(exists("hall.visibility"));
   ASSERT_EQ(run_program(folder_.path(), {"compile", "hall.map", "--no-light"}).exit_status, 0);
+  EXPECT_FALSE(exists("hall.visibility"));
   ASSERT_EQ(run_program(folder_.path(), {"compile", "hall.map", "--no-light", "--clean", "-o", "whole.bsp"})
                 .exit_status,
             0);
@@ -259,13 +269,13 @@ TEST_F(CompileProgram, WatchEndsWhenVisibilityIsStopped) {
   folder_.write("hall.map", hall_of_pillars(effort(14, 10)));
   const std::string map = (folder_.path() / "hall.map").string();
   const auto exists = [&](const char* name) { return std::filesystem::exists(folder_.path() / name); };
-  for (int wait_ms = 100; wait_ms < 10'000 && !exists("hall.build"); wait_ms += wait_ms / 2) {
+  for (int wait_ms = 100; wait_ms < 10'000 && !exists("hall.visibility"); wait_ms += wait_ms / 2) {
     auto program = app::ChildProcess::start(
         {TEMBLOR_PROGRAM, "compile", map, "--watch", "--no-light", "--threads", "1"});
     ASSERT_TRUE(program.ok()) << program.error().message();
     std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
   }  // its destructor waits for the end
-  EXPECT_TRUE(exists("hall.build"));
+  EXPECT_TRUE(exists("hall.visibility"));
   EXPECT_FALSE(exists("hall.bsp")) << "it was finished before it could be stopped";
 }
 

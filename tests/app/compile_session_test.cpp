@@ -113,7 +113,7 @@ TEST_F(CompileSessionTest, StoppedVisibilityOfALevelGoesOn) {
   Stopper stopper;
   ASSERT_FALSE(compiler::make_visibility(compiler::VisibilityKind::kFull, jobs, stopper, build).ok());
   ASSERT_GT(build.visibility_state.size(), anew_bytes);
-  folder_.write("hall.build", compiler::write_unfinished_build(build.visibility_state));
+  folder_.write("hall.visibility", build.visibility_state);
   ASSERT_EQ(compile(next_share).exit_status, 0);
   EXPECT_GE(read_text(path("hall.vis-1-of-9999")).size(), build.visibility_state.size());
 }
