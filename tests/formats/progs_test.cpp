@@ -138,7 +138,8 @@ TEST(Progs, DefinitionsOutOfPlace) {
   // A vector whose third word is one too far.
   EXPECT_THAT(error_of(test::with_number<std::uint16_t>(file, field + 10, 2)),
               HasSubstr("field 1 (\"origin\")"));
-  EXPECT_THAT(error_of(test::with_number(file, global + 4, 0x7fffffff)), HasSubstr("its name lies past"));
+  EXPECT_THAT(error_of(test::with_number(file, global + 4, 0x7fffffff)),
+              HasSubstr("global 0: its name or file lies at"));
 }
 
 TEST(Progs, FunctionsOutOfPlace) {
@@ -150,8 +151,10 @@ TEST(Progs, FunctionsOutOfPlace) {
     EXPECT_THAT(error_of(test::with_number(file, main + 4, first_local)), HasSubstr("its 6 locals lie at"));
   EXPECT_THAT(error_of(test::with_number(file, main + 8, 0xffffffffu)),
               HasSubstr("4294967295 locals lie at"));
-  EXPECT_THAT(error_of(test::with_number(file, main + 16, 0xffffffffu)), HasSubstr("name or file lies past"));
-  EXPECT_THAT(error_of(test::with_number(file, main + 20, 0xffffffffu)), HasSubstr("name or file lies past"));
+  EXPECT_THAT(error_of(test::with_number(file, main + 16, 0xffffffffu)),
+              HasSubstr("function 2: its name or file lies at"));
+  EXPECT_THAT(error_of(test::with_number(file, main + 20, 0xffffffffu)),
+              HasSubstr("function 2: its name or file lies at"));
   EXPECT_THAT(error_of(test::with_number(file, main + 24, 9)), HasSubstr("9 parameters"));
   EXPECT_THAT(error_of(test::with_number<std::uint8_t>(file, main + 28, 4)),
               HasSubstr("parameter 0 has 4 words"));
@@ -160,6 +163,19 @@ TEST(Progs, FunctionsOutOfPlace) {
       file, main + 4, static_cast<std::uint32_t>(read_progs(file)->global_words.size() - 3));
   tight = test::with_number(tight, main + 8, 0);
   EXPECT_THAT(error_of(tight), HasSubstr("its 4 locals lie at"));
+}
+
+TEST(Progs, NamesThatDoNotEnd) {
+  for (const std::size_t chars : {1024u, 1025u, 100'000u}) {
+    Progs progs = small_program();
+    progs.globals[0].name = static_cast<std::uint32_t>(progs.strings.size());
+    progs.strings += std::string(chars, 'x') + '\0';
+    EXPECT_THAT(error_of(write_progs(progs)),
+                HasSubstr(chars > 1024 ? "global 0: its name or file has more than" : "no error"));
+    std::swap(progs.globals[0].name, progs.functions[1].file);
+    EXPECT_THAT(error_of(write_progs(progs)),
+                HasSubstr(chars > 1024 ? "function 1: its name or file has more than" : "no error"));
+  }
 }
 
 TEST(Progs, BuiltInFunctionsMayTakeAnyNumberOfParameters) {

@@ -111,6 +111,51 @@ TEST(Machine, CallsInALoopAreCountedTogether) {
   EXPECT_LE(machine.instructions_run(), 1002u);
 }
 
+// What takes long counts as much: a program cannot hide time in few instructions.
+TEST(Machine, WorkThatGrowsCountsAsManyInstructions) {
+  ProgsBuilder builder;
+  const std::string text(100'000, 'x');
+  const int a = builder.text(text), b = builder.text(text), c = builder.number(),
+            work = builder.builtin("work", 1);
+  const int large = builder.function("large", {}, 6400);
+  builder.emit(Opcode::kDone);
+  const int first = static_cast<int>(builder.progs().functions.size());
+  builder.function("compare");
+  builder.emit(Opcode::kEqS, a, b, c);
+  builder.emit(Opcode::kGoto, -1);
+  builder.function("call");
+  builder.emit(Opcode::kCall0, large);
+  builder.emit(Opcode::kGoto, -1);
+  builder.function("built-in");
+  builder.emit(Opcode::kCall0, work);
+  builder.emit(Opcode::kGoto, -1);
+  Machine machine(builder.load(), {.instructions = 100'000});
+  int works = 0;
+  machine.add_builtin(1, "work", [&](Machine& io_machine) -> base::Status {
+    io_machine.charge(++works == 5 ? UINT64_MAX : 1000);
+    return base::Ok{};
+  });
+  for (int i = 0; i < 3; ++i)
+    EXPECT_THAT(error_of(machine.call(base::to_index<FunctionIndex>(static_cast<std::size_t>(first + i)))),
+                HasSubstr("does not end"));
+  for (const FunctionProfile& entry : machine.profile()) {
+    if (entry.function != FunctionIndex{2}) continue;
+    EXPECT_NEAR(static_cast<double>(entry.calls), 100'000.0 / 203, 2);
+  }
+  EXPECT_EQ(works, 5);
+}
+
+TEST(Machine, FailuresNameTheLineWhereItIsKnown) {
+  ProgsBuilder builder;
+  const int none = builder.words({0});
+  builder.function("test");
+  builder.emit(Opcode::kCall0, none);
+  const auto program = Program::load(builder.progs(), {0, 42});
+  ASSERT_TRUE(program.ok());
+  Machine machine(*program);
+  EXPECT_THAT(error_of(machine.call(FunctionIndex{1})), HasSubstr("; in test (test.qc:42), statement 1"));
+}
+
 TEST(Machine, EveryCallFromOutsideHasTheWholeBudget) {
   Machine machine(adding_program().load(), {.instructions = 2});
   for (int i = 0; i < 10; ++i) EXPECT_EQ(add(machine, 1, 1), 2);
