@@ -29,13 +29,13 @@ base::Status Channel::send_reliable(base::Bytes message, double now_s, Sink send
   if (message.size() > settings_.sent.reliable_bytes)
     return base::error(base::ErrorCode::kTooLarge, "a reliable message of {} bytes, the peer takes {}",
                        message.size(), settings_.sent.reliable_bytes);
-  if (queued_bytes_ + message.size() > settings_.queue_bytes)
+  if (queued_.size() + message.size() > settings_.queue_bytes)
     return base::error(base::ErrorCode::kTooLarge,
-                       "{} bytes of reliable messages wait, no room for {} more of at most {}", queued_bytes_,
-                       message.size(), settings_.queue_bytes);
-  queue_.emplace_back(message.begin(), message.end());
-  queued_bytes_ += message.size();
-  if (queue_.size() == 1) send_fragment(now_s, send);
+                       "{} bytes of reliable messages wait, no room for {} more of at most {}",
+                       queued_.size(), message.size(), settings_.queue_bytes);
+  queued_.insert(queued_.end(), message.begin(), message.end());
+  queued_sizes_.push_back(message.size());
+  if (queued_sizes_.size() == 1) send_fragment(now_s, send);
   return base::Ok{};
 }
 
@@ -48,7 +48,7 @@ base::Status Channel::send_unreliable(base::Bytes message, Sink send) {
 }
 
 void Channel::update(double now_s, Sink send) {
-  if (queue_.empty() || now_s - sent_at_s_ < resend_after_s()) return;
+  if (queued_sizes_.empty() || now_s - sent_at_s_ < resend_after_s()) return;
   ++statistics_.resent;
   send_fragment(now_s, send);
 }
@@ -81,7 +81,8 @@ void Channel::send_packet(const PacketHeader& header, base::Bytes content, Sink 
 }
 
 void Channel::send_fragment(double now_s, Sink send) {
-  const base::Bytes rest = base::Bytes(queue_.front()).subspan(acknowledged_bytes_);
+  const base::Bytes message = base::Bytes(queued_).first(queued_sizes_.front());
+  const base::Bytes rest = message.subspan(acknowledged_bytes_);
   const bool is_last = rest.size() <= kFragmentBytes;
   ++sendings_;
   sent_at_s_ = now_s;
@@ -90,18 +91,18 @@ void Channel::send_fragment(double now_s, Sink send) {
 }
 
 void Channel::receive_acknowledgement(std::uint32_t sequence, double now_s, Sink send) {
-  if (queue_.empty() || sequence != fragment_sequence_) return;  // of one acknowledged before
+  if (queued_sizes_.empty() || sequence != fragment_sequence_) return;  // of one acknowledged before
   // Of a fragment that was sent twice, nobody knows which sending this answers (Karn's rule).
   if (sendings_ == 1) learn_round_trip(now_s - sent_at_s_);
   sendings_ = 0;
   ++fragment_sequence_;
   acknowledged_bytes_ += kFragmentBytes;
-  if (acknowledged_bytes_ >= queue_.front().size()) {
-    queued_bytes_ -= queue_.front().size();
-    queue_.pop_front();
+  if (const std::size_t size = queued_sizes_.front(); acknowledged_bytes_ >= size) {
+    queued_.erase(queued_.begin(), queued_.begin() + static_cast<std::ptrdiff_t>(size));
+    queued_sizes_.erase(queued_sizes_.begin());
     acknowledged_bytes_ = 0;
   }
-  if (!queue_.empty()) send_fragment(now_s, send);
+  if (!queued_sizes_.empty()) send_fragment(now_s, send);
 }
 
 std::optional<ChannelMessage> Channel::receive_unreliable(std::uint32_t sequence, base::Bytes content) {

@@ -7,8 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <optional>
+#include <vector>
 
 #include "base/bytes.h"
 #include "base/function_ref.h"
@@ -66,8 +66,8 @@ class Channel {
   // slowly. CHECKs that it is not empty.
   base::Status send_reliable(base::Bytes message, double now_s, Sink send);
   // No reliable message waits or is in flight: the next one goes out at once.
-  bool can_send_reliable() const { return queue_.empty(); }
-  std::size_t queued_bytes() const { return queued_bytes_; }
+  bool can_send_reliable() const { return queued_sizes_.empty(); }
+  std::size_t queued_bytes() const { return queued_.size(); }
   // kTooLarge for one longer than the peer takes.
   base::Status send_unreliable(base::Bytes message, Sink send);
   // Sends again what was not acknowledged in time. Call it every tick.
@@ -98,9 +98,10 @@ class Channel {
   ChannelSettings settings_;
   ChannelStatistics statistics_;
 
-  // Sending. Of the first message in the queue, `acknowledged_bytes_` have arrived and one fragment is out.
-  std::deque<base::ByteVector> queue_;
-  std::size_t queued_bytes_ = 0;
+  // Sending. Of the first message in the queue, `acknowledged_bytes_` have arrived and one fragment is out. The
+  // messages lie one behind the other, so that a warm channel asks the heap for nothing.
+  base::ByteVector queued_;
+  std::vector<std::size_t> queued_sizes_;
   std::size_t acknowledged_bytes_ = 0;
   std::uint32_t fragment_sequence_ = 0;  // of the fragment in flight, or of the next
   int sendings_ = 0;                     // of the fragment in flight

@@ -52,16 +52,16 @@ ServerEndpoint::ServerEndpoint(Sockets sockets, const ServerEndpointSettings& se
 
 std::optional<ServerEvent> ServerEndpoint::next_event(double now_s) {
   now_s_ = now_s;
-  while (events_.empty()) {
+  while (events_read_ == events_.size()) {
+    events_.clear();
+    events_read_ = 0;
     if (packets_read_ >= settings_.max_packets_between_updates) return std::nullopt;
     const std::optional<Arrived> packet = receive();
     if (!packet) return std::nullopt;
     ++packets_read_;
     take(*packet);
   }
-  ServerEvent event = std::move(events_.front());
-  events_.pop_front();
-  return event;
+  return std::move(events_[events_read_++]);
 }
 
 void ServerEndpoint::update(double now_s) {
@@ -98,12 +98,14 @@ bool ServerEndpoint::can_send_reliable(ConnectionId connection) const {
 }
 
 void ServerEndpoint::disconnect(ConnectionId connection, std::string_view reason) {
-  std::erase_if(events_, [&](const ServerEvent& event) {
+  const auto is_of_it = [&](const ServerEvent& event) {
     const auto* message = std::get_if<PeerMessage>(&event);
     const auto* connected = std::get_if<PeerConnected>(&event);
     return (message != nullptr && message->connection == connection) ||
            (connected != nullptr && connected->connection == connection);
-  });
+  };
+  const auto unread = events_.begin() + static_cast<std::ptrdiff_t>(events_read_);
+  events_.erase(std::remove_if(unread, events_.end(), is_of_it), events_.end());
   end(connection, reason);
 }
 

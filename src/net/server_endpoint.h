@@ -199,7 +199,8 @@ class ServerEndpoint {
   StrangerLimits strangers_;
   std::vector<AddressPrefix> bans_;
   std::string remote_password_;
-  std::deque<ServerEvent> events_;
+  std::vector<ServerEvent> events_;  // those up to `events_read_` were given out
+  std::size_t events_read_ = 0;
   base::ByteVector message_bytes_;  // of the PeerMessage or RemoteCommand among the events
   std::size_t packets_read_ = 0;    // since update()
   ServerEndpointStatistics statistics_;
