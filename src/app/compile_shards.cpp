@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -84,17 +85,32 @@ base::Status write_visibility_shard(const Shard& shard, const fs::path& path, Co
   return base::Ok{};
 }
 
+// Stops now and then to save what is done, in the file that it goes on from.
 base::Status write_light_shard(const Shard& shard, const fs::path& path, CompileSession& io_session) {
-  Progress line("light");
-  const auto progress = [&](std::size_t done, std::size_t total) {
-    line.update(done, total);
-    return true;
-  };
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds kSaveEvery{120};
+  Interrupt& interrupt = io_session.interrupt();
   const compiler::Build& build = io_session.build();
-  TRY(const base::ByteVector bytes,
-      compiler::light_shard(build.bsp, build.face_keys, io_session.light_options(),
-                            {shard.number - 1, shard.count}, io_session.jobs(), progress));
-  return replace_file(path, bytes);
+  Progress line("light");
+  compiler::LightShardBytes made;
+  if (base::Result<base::ByteVector> begun = vfs::read_disk_file(path); begun.ok())
+    made.bytes = std::move(begun).value();
+  interrupt.hold();
+  while (!made.is_finished) {
+    const Clock::time_point start = Clock::now();
+    const auto progress = [&](std::size_t done, std::size_t total) {
+      line.update(done, total);
+      return !interrupt.was_noted() && Clock::now() - start < kSaveEvery;
+    };
+    const base::ByteVector begun = std::move(made.bytes);
+    TRY(made, compiler::light_shard(build.bsp, build.face_keys, io_session.light_options(),
+                                    {shard.number - 1, shard.count}, begun, io_session.jobs(), progress));
+    TRY_STATUS(replace_file(path, made.bytes));
+    if (interrupt.was_noted() && !made.is_finished)
+      return base::Error{base::ErrorCode::kIo, "stopped; the same command goes on from here", path.string()};
+  }
+  interrupt.let_go();
+  return base::Ok{};
 }
 
 // Of files that do not belong together: the command line is right.
