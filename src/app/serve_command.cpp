@@ -63,8 +63,8 @@ class GameFileWatch {
       map_ = map;
       watch_ = FileWatch();
       const vfs::FileSystem& files = io_server.files();
-      watch_.add({program_.empty() ? files.where("progs.dat") : program_,
-                  files.where(fmt::format("maps/{}.bsp", map))});
+      watch_.add({stamp_of(program_.empty() ? files.where("progs.dat") : program_),
+                  stamp_of(files.where(fmt::format("maps/{}.bsp", map)))});
     }
     return watch_.has_changed();
   }
