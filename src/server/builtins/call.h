@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <span>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,6 +58,8 @@ class Call {
   }
   // 0 for a variable that there is not, and for one that holds no number.
   float variable(std::string_view variable_name) const;
+  // Of a precached sound; nothing, and a warning, for another.
+  std::optional<std::uint16_t> sound_number(std::string_view sample) const;
   void print(std::string_view text) const {
     if (game.print) game.print(text);
   }
