@@ -33,8 +33,6 @@ class Call {
   GameWorld& world;
   vm::Machine& machine;
 
-  std::string_view name() const { return name_; }
-
   // --- Parameters; the first is 0.
   float number(int i) const { return machine.parameter_float(i); }
   int whole(int i) const { return to_whole(number(i)); }
