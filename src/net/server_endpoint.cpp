@@ -149,9 +149,13 @@ const Channel* ServerEndpoint::channel_of(ConnectionId connection) const {
 }
 
 std::optional<ServerEndpoint::Arrived> ServerEndpoint::receive() {
-  for (std::size_t socket = 0; socket < sockets_.size(); ++socket)
+  // In turns: a flood at one does not keep the others waiting.
+  for (std::size_t tried = 0; tried < sockets_.size(); ++tried) {
+    const std::size_t socket = next_socket_;
+    next_socket_ = (next_socket_ + 1) % sockets_.size();
     if (const auto datagram = sockets_[socket]->receive())
       return Arrived{{datagram->from, socket}, datagram->bytes};
+  }
   return std::nullopt;
 }
 

@@ -46,9 +46,9 @@ struct ServerEndpointSettings {
   Rate packets_of_connection{1000, 500};           // further ones are dropped unread
   std::size_t max_packets_between_updates = 8192;  // the rest waits
   StrangerRates strangers{};
-  // Whether a peer must also say a word that was sent to it (net/challenge.h) before the game hears of it: its
-  // first acknowledgement can be guessed, by a forger who would have a victim played to. Costs a round trip.
-  // Needs clients that know the console's `cmd`, as stock ones do.
+  // Whether a peer must also say a word that was sent to it (net/challenge.h) before the game hears of it:
+  // its first acknowledgement can be guessed, by a forger who would have a victim played to. Costs a round
+  // trip. Needs clients that know the console's `cmd`, as stock ones do.
   bool challenge = false;
   // From the system's source of chance; anything in tests.
   Secret secret{};
@@ -204,6 +204,7 @@ class ServerEndpoint {
   std::size_t events_read_ = 0;
   base::ByteVector message_bytes_;  // of the PeerMessage or RemoteCommand among the events
   std::size_t packets_read_ = 0;    // since update()
+  std::size_t next_socket_ = 0;     // to be read
   ServerEndpointStatistics statistics_;
 };
 

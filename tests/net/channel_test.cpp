@@ -317,7 +317,7 @@ TEST(BadNetwork, EveryReliableMessageOnceAndInOrderBothWays) {
       a.tick(now_s);
       b.tick(now_s);
     }
-    EXPECT_GT(told_a.size(), 10u);
+    EXPECT_GT(told_a.size(), 4u);
     EXPECT_EQ(a.heard(), told_b);
     EXPECT_EQ(b.heard(), told_a);
     // Jitter makes many late; enough of them are the newest.

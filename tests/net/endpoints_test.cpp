@@ -57,6 +57,30 @@ TEST(Endpoints, AListenServersOwnPlayerAndOneFromOutside) {
   EXPECT_EQ(server.limits_to(joined[1]).unreliable_bytes, 1400u);
 }
 
+TEST(Endpoints, AFloodFromOutsideDoesNotKeepTheOwnPlayerWaiting) {
+  LoopbackNetwork inside;
+  BadNetwork outside({}, 1);
+  ServerEndpoint::Sockets sockets;
+  sockets.push_back(outside.open(kServer));
+  sockets.push_back(inside.open(26000));
+  ServerEndpoint server(std::move(sockets), {.max_packets_between_updates = 100}, test::described);
+  ClientEndpoint own(inside.open());
+  own.connect(server.local_address(1), 0);
+  const auto flood = outside.open(host(2, 1));
+  int heard = 0;
+  for (int tick = 0; tick < 50; ++tick) {
+    const double now_s = tick * kTick_s;
+    for (int i = 0; i < 1000; ++i) flood->send(kServer, base::as_bytes("nonsense"));
+    server.update(now_s);
+    while (const auto event = server.next_event(now_s)) heard += std::holds_alternative<PeerMessage>(*event);
+    while (own.next_event(now_s)) {
+    }
+    const bool is_there = own.state() == ClientEndpoint::State::kConnected;
+    ASSERT_TRUE(!is_there || own.send_unreliable(base::as_bytes("move")).ok());
+  }
+  EXPECT_GE(heard, 45);
+}
+
 TEST(Endpoints, DisconnectingReachesTheOtherSide) {
   BadNetwork network({}, 1);
   ServerOnBench server(network);
