@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <chrono>
 #include <cstdio>
+#include <random>
 
 #include "app/diagnostics.h"
 #include "app/file_watch.h"
@@ -39,6 +40,13 @@ double clock_s() {
 
 std::uint64_t any_seed() {
   return static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
+}
+
+net::ServerEndpointSettings wire_settings() {
+  net::ServerEndpointSettings settings;
+  std::random_device device;
+  for (auto& word : settings.secret) word = std::uint64_t{device()} << 32 | device();
+  return settings;
 }
 
 // QuakeC's letters with the upper bit set are the same ones in another colour.
@@ -139,7 +147,7 @@ base::Status run_serve(const ServeOptions& options, const GameFolders& folders,
   server::Server server({.library = library,
                          .settings = settings,
                          .sockets = std::move(sockets),
-                         .wire = {.seed = any_seed()},
+                         .wire = wire_settings(),
                          .max_clients = options.max_clients,
                          .program_file = options.program,
                          .write_folder = library.files().folders().back(),
