@@ -16,10 +16,11 @@ test:
 bench:
 	tools/setup.sh build
 	cmake --preset release
-	cmake --build --preset release --target temblor kernel_bench compile_bench
+	cmake --build --preset release --target temblor kernel_bench compile_bench vm_bench
 	build/release/temblor $(WITH_DATA) bench --report $(BENCHED)
 	$(if $(TEMBLOR_DATA),build/release/bench/compile_bench build/release/temblor)
 	build/release/bench/kernel_bench
+	build/release/bench/vm_bench
 
 format:
 	$(SOURCES) | xargs clang-format-14 -i

@@ -165,11 +165,11 @@ Trace trace_line(const Level& level, ModelIndex model, Hull hull, const math::Ve
     const std::int32_t far_child = tree.child(crossing->node, 1 - crossing->near_side);
     const Piece far{piece.point(crossing->along), piece.end, piece.fraction(crossing->along),
                     piece.end_fraction};
-    if (tree.contents_below(far_child, far.start) == Contents::kSolid && !trace.all_solid) {
+    contents = tree.contents_at_end(descend(tree, far_child, far, crossings));
+    if (contents == Contents::kSolid && !trace.all_solid) {
       stop_at(tree, *crossing, trace);
       break;
     }
-    contents = tree.contents_at_end(descend(tree, far_child, far, crossings));
     note_contents(contents, trace);
   }
   return trace;

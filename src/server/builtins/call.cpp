@@ -1,0 +1,53 @@
+#include "server/builtins/call.h"
+
+#include "base/text.h"
+#include "server/builtins/text_to_number.h"
+
+namespace temblor::server {
+
+base::Result<vm::EntityIndex> Call::entity(int i) const {
+  const base::Result<vm::EntityIndex> value = machine.parameter_entity(i);
+  if (!value.ok()) return error("parameter {} is no entity", i + 1);
+  return *value;
+}
+
+base::Result<vm::EntityIndex> Call::player(int i) const {
+  TRY(const vm::EntityIndex value, entity(i));
+  if (!is_player(value))
+    return error("parameter {} is entity {}, which is no player's", i + 1, base::to_size(value));
+  return value;
+}
+
+base::Result<vm::FieldIndex> Call::field(int i) const {
+  const base::Result<vm::FieldIndex> value = machine.parameter_field(i);
+  if (!value.ok()) return error("parameter {} is no field", i + 1);
+  return *value;
+}
+
+std::string Call::joined_text(int first) const {
+  std::string joined;
+  for (int i = first; i < machine.parameter_count(); ++i) joined += text(i);
+  return joined;
+}
+
+float Call::variable(std::string_view variable_name) const {
+  const command::Variable* found = game.variables.find(variable_name);
+  if (found == nullptr) return 0;
+  const bool is_text = found->type == command::VariableType::kText;
+  return is_text ? number_from(found->text) : static_cast<float>(found->number);
+}
+
+void Call::warn_once(const std::string& text) const {
+  // A program that makes up ever new things to be warned of is not listened to for ever.
+  constexpr std::size_t kMaxWarnings = 256;
+  if (game.warned.size() < kMaxWarnings && game.warned.insert(text).second)
+    print(fmt::format("builtin {}: {}\n", name_, text));
+}
+
+base::Status Call::return_text(std::string_view text) const {
+  TRY(const vm::StringIndex string, machine.make_string(text));
+  machine.return_string(string);
+  return base::Ok{};
+}
+
+}  // namespace temblor::server

@@ -1,0 +1,86 @@
+// For who writes the program: what it is and does, and its own ways to stop.
+#include "base/text.h"
+#include "server/builtins/entity_text.h"
+#include "server/builtins/families.h"
+
+namespace temblor::server {
+namespace {
+
+constexpr std::size_t kMaxErrorChars = 200;
+
+std::string describe(Call& io_call, vm::EntityIndex entity) {
+  return describe_entity(io_call.world.edicts, io_call.machine, entity);
+}
+
+// Who called, for a line that says so.
+std::string caller(Call& io_call) {
+  const std::vector<vm::TraceEntry> trace = io_call.machine.current_trace();
+  return trace.empty() ? "?" : std::string(io_call.machine.program().name_of(trace[0].function));
+}
+
+// For the one line of an error.
+std::string one_line(std::string_view text) {
+  while (text.ends_with('\n') || text.ends_with(' ')) text.remove_suffix(1);
+  return base::quotable(text, kMaxErrorChars);
+}
+
+// The original falls into its debugger there.
+base::Status break_here(Call& io_call) {
+  return io_call.error("the program stops here");
+}
+
+base::Status error(Call& io_call) {
+  const std::string text = io_call.joined_text(0);
+  io_call.print(fmt::format("{}: {}\n{}", caller(io_call), text, describe(io_call, io_call.self())));
+  return io_call.error("{}", one_line(text));
+}
+
+// Removes `self`; the level goes on without it. (The original's documents say so; its program ends there.)
+base::Status objerror(Call& io_call) {
+  const std::string text = io_call.joined_text(0);
+  const vm::EntityIndex self = io_call.self();
+  io_call.print(fmt::format("{}: {}\n{}", caller(io_call), text, describe(io_call, self)));
+  if (self == vm::kWorld || io_call.is_player(self))
+    return io_call.error("{} (entity {} cannot be removed)", one_line(text), base::to_size(self));
+  if (!io_call.world.edicts.is_free(self)) remove(io_call.world, self);
+  return base::Ok{};
+}
+
+base::Status coredump(Call& io_call) {
+  for (std::size_t i = 0; i < io_call.world.edicts.count(); ++i)
+    io_call.print(describe(io_call, base::to_index<vm::EntityIndex>(i)));
+  return base::Ok{};
+}
+
+base::Status eprint(Call& io_call) {
+  TRY(const vm::EntityIndex entity, io_call.entity(0));
+  io_call.print(describe(io_call, entity));
+  return base::Ok{};
+}
+
+base::Status traceon(Call& io_call) {
+  if (!io_call.game.print) return base::Ok{};
+  io_call.machine.set_tracer([&game = io_call.game](std::string_view line) {
+    if (game.print) game.print(fmt::format("{}\n", line));
+  });
+  return base::Ok{};
+}
+
+base::Status traceoff(Call& io_call) {
+  io_call.machine.set_tracer(nullptr);
+  return base::Ok{};
+}
+
+constexpr BuiltinEntry kEntries[] = {
+    {6, "break", break_here},   {10, "error", error},     {11, "objerror", objerror},
+    {28, "coredump", coredump}, {29, "traceon", traceon}, {30, "traceoff", traceoff},
+    {31, "eprint", eprint},
+};
+
+}  // namespace
+
+std::span<const BuiltinEntry> debugging_builtins() {
+  return kEntries;
+}
+
+}  // namespace temblor::server

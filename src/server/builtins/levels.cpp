@@ -1,0 +1,42 @@
+// From one level to the next.
+#include "server/builtins/families.h"
+
+namespace temblor::server {
+namespace {
+
+// Only the first of a level counts: several players may reach the exit in one tick.
+base::Status changelevel(Call& io_call) {
+  std::optional<std::string>& next = io_call.game.requests.change_level;
+  if (!next) next = std::string(io_call.text(0));
+  return base::Ok{};
+}
+
+// What a player brought from the level before, into parm1 to parm16.
+base::Status setspawnparms(Call& io_call) {
+  TRY(const vm::EntityIndex player, io_call.player(0));
+  const std::size_t slot = base::to_size(player) - 1;
+  const auto& all = io_call.game.spawn_parameters;
+  const std::array<float, 16> values = slot < all.size() ? all[slot] : std::array<float, 16>{};
+  for (int i = 0; i < global::kParmCount; ++i)
+    io_call.machine.set_global_float(parm(i), values[static_cast<std::size_t>(i)]);
+  return base::Ok{};
+}
+
+base::Status checkextension(Call& io_call) {
+  io_call.machine.return_float(has_extension(io_call.game, io_call.text(0)) ? 1 : 0);
+  return base::Ok{};
+}
+
+constexpr BuiltinEntry kEntries[] = {
+    {70, "changelevel", changelevel},
+    {78, "setspawnparms", setspawnparms},
+    {99, "checkextension", checkextension},
+};
+
+}  // namespace
+
+std::span<const BuiltinEntry> level_builtins() {
+  return kEntries;
+}
+
+}  // namespace temblor::server

@@ -1,0 +1,50 @@
+// How monsters and things get about: physics does it, for `self`.
+#include "server/builtins/families.h"
+#include "server/physics.h"
+
+namespace temblor::server {
+namespace {
+
+// What physics did, possibly after touches that called the program: so returned last of all.
+base::Status returned(Call& io_call, const base::Result<bool>& moved) {
+  if (!moved.ok()) return moved.error();
+  io_call.machine.return_float(*moved ? 1 : 0);
+  return base::Ok{};
+}
+
+// walkmove(yaw, distance)
+base::Status walkmove(Call& io_call) {
+  return returned(io_call, walk_move(io_call.world, io_call.self(), io_call.number(0), io_call.number(1)));
+}
+
+base::Status droptofloor(Call& io_call) {
+  return returned(io_call, drop_to_floor(io_call.world, io_call.self()));
+}
+
+base::Status checkbottom(Call& io_call) {
+  TRY(const vm::EntityIndex entity, io_call.entity(0));
+  return returned(io_call, check_bottom(io_call.world, entity));
+}
+
+base::Status change_yaw_of_self(Call& io_call) {
+  change_yaw(io_call.world, io_call.self());
+  return base::Ok{};
+}
+
+base::Status movetogoal(Call& io_call) {
+  return move_to_goal(io_call.world, io_call.self(), io_call.number(0), io_call.game.random);
+}
+
+constexpr BuiltinEntry kEntries[] = {
+    {32, "walkmove", walkmove},       {34, "droptofloor", droptofloor},
+    {40, "checkbottom", checkbottom}, {49, "ChangeYaw", change_yaw_of_self},
+    {67, "movetogoal", movetogoal},
+};
+
+}  // namespace
+
+std::span<const BuiltinEntry> movement_builtins() {
+  return kEntries;
+}
+
+}  // namespace temblor::server

@@ -1,0 +1,82 @@
+// Numbers and chance.
+#include <cmath>
+
+#include "server/builtins/families.h"
+
+namespace temblor::server {
+namespace {
+
+base::Status returned(Call& io_call, double value) {
+  io_call.machine.return_float(static_cast<float>(value));
+  return base::Ok{};
+}
+
+// 0 and 1 included.
+base::Status random(Call& io_call) {
+  return returned(io_call, io_call.game.random.next_fraction());
+}
+
+// Halves away from 0.
+base::Status rint(Call& io_call) {
+  return returned(io_call, std::round(io_call.number(0)));
+}
+base::Status floor(Call& io_call) {
+  return returned(io_call, std::floor(io_call.number(0)));
+}
+base::Status ceil(Call& io_call) {
+  return returned(io_call, std::ceil(io_call.number(0)));
+}
+base::Status fabs(Call& io_call) {
+  return returned(io_call, std::fabs(io_call.number(0)));
+}
+
+// Angles in radians.
+base::Status sin(Call& io_call) {
+  return returned(io_call, std::sin(double{io_call.number(0)}));
+}
+base::Status cos(Call& io_call) {
+  return returned(io_call, std::cos(double{io_call.number(0)}));
+}
+base::Status sqrt(Call& io_call) {
+  return returned(io_call, std::sqrt(double{io_call.number(0)}));
+}
+base::Status pow(Call& io_call) {
+  return returned(io_call, std::pow(io_call.number(0), io_call.number(1)));
+}
+
+// The one that is in front of all others of those given.
+template <typename IsInFront>
+base::Status foremost(Call& io_call, IsInFront is_in_front) {
+  const int count = io_call.machine.parameter_count();
+  if (count < 2) return io_call.error("takes 2 to 8 numbers, not {}", count);
+  float value = io_call.number(0);
+  for (int i = 1; i < count; ++i)
+    if (is_in_front(io_call.number(i), value)) value = io_call.number(i);
+  return returned(io_call, value);
+}
+base::Status min(Call& io_call) {
+  return foremost(io_call, [](float a, float b) { return a < b; });
+}
+base::Status max(Call& io_call) {
+  return foremost(io_call, [](float a, float b) { return a > b; });
+}
+
+// bound(low, value, high); where low is over high, low wins.
+base::Status bound(Call& io_call) {
+  const float low = io_call.number(0), value = io_call.number(1), high = io_call.number(2);
+  return returned(io_call, std::fmax(low, std::fmin(value, high)));
+}
+
+constexpr BuiltinEntry kEntries[] = {
+    {7, "random", random}, {36, "rint", rint}, {37, "floor", floor}, {38, "ceil", ceil},
+    {43, "fabs", fabs},    {60, "sin", sin},   {61, "cos", cos},     {62, "sqrt", sqrt},
+    {94, "min", min},      {95, "max", max},   {96, "bound", bound}, {97, "pow", pow},
+};
+
+}  // namespace
+
+std::span<const BuiltinEntry> number_builtins() {
+  return kEntries;
+}
+
+}  // namespace temblor::server

@@ -1,0 +1,77 @@
+// Models, sounds and files that a level needs are named before it begins.
+#include <algorithm>
+
+#include "base/text.h"
+#include "server/builtins/families.h"
+
+namespace temblor::server {
+namespace {
+
+// Numbers from 1 to that: protocol 15 has a byte for them.
+std::size_t most_numbers(Call& io_call, int extended_count) {
+  const bool is_stock = io_call.game.outbox.dialect().protocol == net::Protocol::kNetQuake;
+  return is_stock ? 255 : static_cast<std::size_t>(extended_count) - 1;
+}
+
+base::Status check_name(Call& io_call, std::string_view name) {
+  if (!io_call.game.precache.is_open)
+    return io_call.error("\"{}\" comes too late: only what spawns with the level may precache",
+                         base::quotable(name));
+  if (name.empty() || name.front() <= ' ') return io_call.error("\"{}\" is no name", base::quotable(name));
+  return base::Ok{};
+}
+
+base::Status check_room(Call& io_call, std::string_view name, std::size_t count, std::size_t most) {
+  if (count <= most) return base::Ok{};
+  return io_call.error("\"{}\" is one too many: protocol {} numbers at most {}", base::quotable(name),
+                       static_cast<int>(io_call.game.outbox.dialect().protocol), most);
+}
+
+// All of them return the name.
+base::Status precache_file(Call& io_call) {
+  io_call.machine.return_string(io_call.machine.parameter_string(0));
+  return base::Ok{};
+}
+
+base::Status precache_sound(Call& io_call) {
+  const std::string_view name = io_call.text(0);
+  TRY_STATUS(check_name(io_call, name));
+  std::vector<std::string>& sounds = io_call.game.precache.sounds;
+  if (std::find(sounds.begin(), sounds.end(), name) == sounds.end()) {
+    TRY_STATUS(check_room(io_call, name, sounds.size(), most_numbers(io_call, net::kMaxSounds)));
+    sounds.emplace_back(name);
+  }
+  return precache_file(io_call);
+}
+
+base::Status precache_model(Call& io_call) {
+  const std::string_view name = io_call.text(0);
+  TRY_STATUS(check_name(io_call, name));
+  std::vector<ServerModel>& models = io_call.world.models;
+  const bool is_known =
+      std::any_of(models.begin(), models.end(), [&](const ServerModel& model) { return model.name == name; });
+  if (!is_known) {
+    TRY_STATUS(check_room(io_call, name, models.size(), most_numbers(io_call, net::kMaxModels)));
+    if (!io_call.game.load_model) return io_call.error("\"{}\": there are no files", base::quotable(name));
+    base::Result<ServerModel> model = io_call.game.load_model(name);
+    if (!model.ok()) return io_call.error("{}", model.error().message());
+    models.push_back(*std::move(model));
+    models.back().name = name;  // what setmodel asks for
+  }
+  return precache_file(io_call);
+}
+
+// Those with a 2 told the original's shareware packer to leave a file out.
+constexpr BuiltinEntry kEntries[] = {
+    {19, "precache_sound", precache_sound},  {20, "precache_model", precache_model},
+    {68, "precache_file", precache_file},    {75, "precache_model2", precache_model},
+    {76, "precache_sound2", precache_sound}, {77, "precache_file2", precache_file},
+};
+
+}  // namespace
+
+std::span<const BuiltinEntry> precache_builtins() {
+  return kEntries;
+}
+
+}  // namespace temblor::server

@@ -1,0 +1,99 @@
+// Functions that programs of the 2021 re-release declare with number 0 and a name. What they ask for and this
+// server does not have is answered so that their programs do without it.
+#include <algorithm>
+#include <charconv>
+
+#include "base/text.h"
+#include "server/builtins/families.h"
+#include "server/builtins/pieces.h"
+
+namespace temblor::server {
+namespace {
+
+// The text of parameter `first`, in which {0} stands for the text behind it, {1} for the next and so on. One
+// without such places is followed by the others, as stock functions have it.
+std::string filled_text(const Call& call, int first) {
+  if (first >= call.machine.parameter_count()) return "";
+  std::string_view text = call.text(first);
+  if (text.find('{') == std::string_view::npos) return call.joined_text(first);
+  std::string filled;
+  while (!text.empty()) {
+    const std::size_t open = std::min(text.find('{'), text.size());
+    filled += text.substr(0, open);
+    text.remove_prefix(open);
+    if (text.empty()) break;
+    int number = -1;
+    const char* const end = text.data() + text.size();
+    const auto [close, error] = std::from_chars(text.data() + 1, end, number);
+    const bool is_place = error == std::errc{} && close != end && *close == '}' && number >= 0 &&
+                          number < call.machine.parameter_count() - first - 1;
+    if (is_place) filled += call.text(first + 1 + number);
+    if (!is_place) filled += '{';
+    text.remove_prefix(is_place ? static_cast<std::size_t>(close + 1 - text.data()) : 1);
+  }
+  return filled;
+}
+
+base::Status ex_bprint(Call& io_call) {
+  Outbox& outbox = io_call.game.outbox;
+  write_text<net::Print>(filled_text(io_call, 0), outbox, outbox.reliable());
+  return base::Ok{};
+}
+
+base::Status ex_sprint(Call& io_call) {
+  TRY(const vm::EntityIndex player, io_call.player(0));
+  Outbox& outbox = io_call.game.outbox;
+  write_text<net::Print>(filled_text(io_call, 1), outbox, *outbox.reliable_to(player));
+  return base::Ok{};
+}
+
+base::Status ex_centerprint(Call& io_call) {
+  TRY(const vm::EntityIndex player, io_call.player(0));
+  Outbox& outbox = io_call.game.outbox;
+  const std::string text = filled_text(io_call, 1);
+  outbox.write(net::CenterPrint{std::string_view(text).substr(0, kMaxTextBytes)},
+               *outbox.reliable_to(player));
+  return base::Ok{};
+}
+
+// ex_localsound(player, sample): at full volume, wherever he is, and for him alone.
+base::Status ex_localsound(Call& io_call) {
+  TRY(const vm::EntityIndex player, io_call.player(0));
+  const std::vector<std::string>& sounds = io_call.game.precache.sounds;
+  const std::string_view name = io_call.text(1);
+  const auto found = std::find(sounds.begin() + 1, sounds.end(), name);
+  if (found == sounds.end()) {
+    io_call.warn_once(fmt::format("\"{}\" was not precached", base::quotable(name)));
+    return base::Ok{};
+  }
+  Outbox& outbox = io_call.game.outbox;
+  outbox.write(net::Sound{.attenuation = 0,
+                          .entity = static_cast<std::uint16_t>(player),
+                          .channel = 0,
+                          .sound = static_cast<std::uint16_t>(found - sounds.begin()),
+                          .origin = io_call.world.edicts[player][field::kOrigin]},
+               *outbox.reliable_to(player));
+  return base::Ok{};
+}
+
+// Whether a closing text was read to its end (nobody tells the server), a player's special flags (there are
+// none), a step on a map of ways (there is none; the program then walks by itself).
+base::Status none(Call& io_call) {
+  io_call.machine.return_float(0);
+  return base::Ok{};
+}
+
+constexpr BuiltinEntry kEntries[] = {
+    {0, "ex_bprint", ex_bprint},           {0, "ex_sprint", ex_sprint},
+    {0, "ex_centerprint", ex_centerprint}, {0, "ex_localsound", ex_localsound},
+    {0, "ex_finaleFinished", none},        {0, "ex_CheckPlayerEXFlags", none},
+    {0, "ex_walkpathtogoal", none},
+};
+
+}  // namespace
+
+std::span<const BuiltinEntry> rerelease_builtins() {
+  return kEntries;
+}
+
+}  // namespace temblor::server

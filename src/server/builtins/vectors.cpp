@@ -1,0 +1,79 @@
+// Directions and lengths.
+#include <cmath>
+#include <numbers>
+
+#include "math/angles.h"
+#include "server/builtins/families.h"
+
+namespace temblor::server {
+namespace {
+
+// Of (x, y) counter-clockwise from +x, cut to whole degrees, 0 to 359. The cut is towards 0, so that what is
+// just under 360 is 0.
+float whole_degrees(float x, float y) {
+  const double degrees = std::atan2(double{y}, double{x}) * (180 / std::numbers::pi);
+  const int whole = to_whole(static_cast<float>(std::trunc(degrees)));
+  return static_cast<float>(whole < 0 ? whole + 360 : whole);
+}
+
+base::Status makevectors(Call& io_call) {
+  const math::Basis basis = math::basis_from_angles(io_call.vector(0));
+  io_call.machine.set_global_vector(global::kForward, math::Vec3(basis.forward));
+  io_call.machine.set_global_vector(global::kRight, math::Vec3(basis.right));
+  io_call.machine.set_global_vector(global::kUp, math::Vec3(basis.up));
+  return base::Ok{};
+}
+
+base::Status normalize(Call& io_call) {
+  const math::Vec3 vector = io_call.vector(0);
+  const float length = std::sqrt(glm::dot(vector, vector));
+  io_call.machine.return_vector(length == 0 ? math::Vec3(0.0f) : vector * (1 / length));
+  return base::Ok{};
+}
+
+base::Status vlen(Call& io_call) {
+  const math::Vec3 vector = io_call.vector(0);
+  io_call.machine.return_float(std::sqrt(glm::dot(vector, vector)));
+  return base::Ok{};
+}
+
+base::Status vectoyaw(Call& io_call) {
+  const math::Vec3 vector = io_call.vector(0);
+  io_call.machine.return_float(whole_degrees(vector.x, vector.y));
+  return base::Ok{};
+}
+
+// Pitch is positive upwards here, as models' angles are, and not as eyes'.
+base::Status vectoangles(Call& io_call) {
+  const math::Vec3 vector = io_call.vector(0);
+  math::Vec3 angles(vector.z > 0 ? 90.0f : 270.0f, 0, 0);
+  if (vector.x != 0 || vector.y != 0) {
+    const float along = std::sqrt(vector.x * vector.x + vector.y * vector.y);
+    angles = {whole_degrees(along, vector.z), whole_degrees(vector.x, vector.y), 0};
+  }
+  io_call.machine.return_vector(angles);
+  return base::Ok{};
+}
+
+// Anywhere within one unit of the origin, evenly.
+base::Status randomvec(Call& io_call) {
+  math::Vec3 vector;
+  do {
+    for (int axis = 0; axis < 3; ++axis) vector[axis] = io_call.game.random.next_fraction() * 2 - 1;
+  } while (glm::dot(vector, vector) > 1);
+  io_call.machine.return_vector(vector);
+  return base::Ok{};
+}
+
+constexpr BuiltinEntry kEntries[] = {
+    {1, "makevectors", makevectors}, {9, "normalize", normalize},      {12, "vlen", vlen},
+    {13, "vectoyaw", vectoyaw},      {51, "vectoangles", vectoangles}, {91, "randomvec", randomvec},
+};
+
+}  // namespace
+
+std::span<const BuiltinEntry> vector_builtins() {
+  return kEntries;
+}
+
+}  // namespace temblor::server

@@ -1,0 +1,80 @@
+// Messages that the program puts together itself: Write(destination, value). Of whole numbers the low bytes
+// are written, as in the original.
+#include "net/loose_fields.h"
+#include "server/builtins/families.h"
+
+namespace temblor::server {
+namespace {
+
+// Where parameter 0 says, with room for `bytes`.
+base::Result<base::ByteWriter*> destination(Call& io_call, std::size_t bytes) {
+  Outbox& outbox = io_call.game.outbox;
+  const float number = io_call.number(0);
+  base::ByteWriter* writer = nullptr;
+  if (number == static_cast<float>(Destination::kBroadcast)) writer = &outbox.broadcast();
+  if (number == static_cast<float>(Destination::kAll)) writer = &outbox.reliable();
+  if (number == static_cast<float>(Destination::kInit)) writer = &outbox.signon();
+  if (number == static_cast<float>(Destination::kOne)) {
+    const vm::EntityIndex player = io_call.machine.global_entity(global::kMessageEntity);
+    writer = outbox.reliable_to(player);
+    if (writer == nullptr)
+      return io_call.error("msg_entity is entity {}, which is no player's", base::to_size(player));
+  }
+  if (writer == nullptr) return io_call.error("destination {} is none of 0 to 3", number);
+  if (!Outbox::has_room(*writer, bytes))
+    return io_call.error("over {} bytes for destination {} at once", Outbox::kMaxBytes, number);
+  return writer;
+}
+
+template <typename Number>
+base::Status write_whole(Call& io_call) {
+  TRY(base::ByteWriter* const writer, destination(io_call, sizeof(Number)));
+  writer->write(static_cast<Number>(io_call.whole(1)));
+  return base::Ok{};
+}
+
+base::Status write_coord(Call& io_call) {
+  TRY(base::ByteWriter* const writer, destination(io_call, sizeof(float)));
+  net::write_coord(io_call.number(1), io_call.game.outbox.dialect(), *writer);
+  return base::Ok{};
+}
+
+base::Status write_angle(Call& io_call) {
+  TRY(base::ByteWriter* const writer, destination(io_call, sizeof(float)));
+  net::write_angle_deg(io_call.number(1), io_call.game.outbox.dialect(), *writer);
+  return base::Ok{};
+}
+
+base::Status write_string(Call& io_call) {
+  const std::string_view text = io_call.text(1);
+  TRY(base::ByteWriter* const writer, destination(io_call, text.size() + 1));
+  writer->bytes(base::as_bytes(text));
+  writer->u8(0);
+  return base::Ok{};
+}
+
+base::Status write_entity(Call& io_call) {
+  TRY(const vm::EntityIndex entity, io_call.entity(1));
+  TRY(base::ByteWriter* const writer, destination(io_call, sizeof(std::uint16_t)));
+  writer->u16(static_cast<std::uint16_t>(entity));
+  return base::Ok{};
+}
+
+constexpr BuiltinEntry kEntries[] = {
+    {52, "WriteByte", write_whole<std::uint8_t>},
+    {53, "WriteChar", write_whole<std::int8_t>},
+    {54, "WriteShort", write_whole<std::int16_t>},
+    {55, "WriteLong", write_whole<std::int32_t>},
+    {56, "WriteCoord", write_coord},
+    {57, "WriteAngle", write_angle},
+    {58, "WriteString", write_string},
+    {59, "WriteEntity", write_entity},
+};
+
+}  // namespace
+
+std::span<const BuiltinEntry> writing_builtins() {
+  return kEntries;
+}
+
+}  // namespace temblor::server

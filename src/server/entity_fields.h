@@ -1,0 +1,126 @@
+// The fields that every Quake program gives its entities, at the places that header CRC 5927 stands for
+// (quake-facts.md, section 15), and the numbers that they hold.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include "math/vec.h"
+#include "vm/program.h"
+
+namespace temblor::server {
+
+// Where a field's value of type T is in an entity.
+template <typename T>
+struct Field {
+  std::uint32_t word;
+  bool operator==(const Field&) const = default;
+};
+
+namespace field {
+constexpr Field<float> kModelIndex{0};
+constexpr Field<math::Vec3> kAbsMin{1}, kAbsMax{4};
+constexpr Field<float> kLocalTime{7};  // "ltime": a pusher's own clock
+constexpr Field<float> kMoveType{8}, kSolid{9};
+constexpr Field<math::Vec3> kOrigin{10}, kOldOrigin{13}, kVelocity{16}, kAngles{19}, kAngularVelocity{22},
+    kPunchAngle{25};
+constexpr Field<vm::StringIndex> kClassName{28}, kModel{29};
+constexpr Field<float> kFrame{30}, kSkin{31}, kEffects{32};
+constexpr Field<math::Vec3> kMins{33}, kMaxs{36}, kSize{39};
+constexpr Field<vm::FunctionIndex> kTouch{42}, kUse{43}, kThink{44}, kBlocked{45};
+constexpr Field<float> kNextThink{46};
+constexpr Field<vm::EntityIndex> kGroundEntity{47};
+constexpr Field<float> kHealth{48}, kFrags{49}, kWeapon{50};
+constexpr Field<vm::StringIndex> kWeaponModel{51};
+constexpr Field<float> kWeaponFrame{52}, kCurrentAmmo{53}, kAmmoShells{54}, kAmmoNails{55}, kAmmoRockets{56},
+    kAmmoCells{57}, kItems{58}, kTakeDamage{59};
+constexpr Field<vm::EntityIndex> kChain{60};
+constexpr Field<float> kDeadFlag{61};
+constexpr Field<math::Vec3> kViewOffset{62};
+constexpr Field<float> kButton0{65}, kButton1{66}, kButton2{67}, kImpulse{68}, kFixAngle{69};
+constexpr Field<math::Vec3> kViewAngles{70};
+constexpr Field<float> kIdealPitch{73};
+constexpr Field<vm::StringIndex> kNetName{74};
+constexpr Field<vm::EntityIndex> kEnemy{75};
+constexpr Field<float> kFlags{76}, kColorMap{77}, kTeam{78}, kMaxHealth{79}, kTeleportTime{80},
+    kArmorType{81}, kArmorValue{82}, kWaterLevel{83}, kWaterType{84}, kIdealYaw{85}, kYawSpeed{86};
+constexpr Field<vm::EntityIndex> kAimEntity{87}, kGoalEntity{88};
+constexpr Field<float> kSpawnFlags{89};
+constexpr Field<vm::StringIndex> kTarget{90}, kTargetName{91};
+constexpr Field<float> kDamageTaken{92}, kDamageSaved{93};
+constexpr Field<vm::EntityIndex> kDamageInflictor{94}, kOwner{95};
+constexpr Field<math::Vec3> kMoveDirection{96};
+constexpr Field<vm::StringIndex> kMessage{99};
+constexpr Field<float> kSounds{100};
+constexpr Field<vm::StringIndex> kNoise{101}, kNoise1{102}, kNoise2{103}, kNoise3{104};
+}  // namespace field
+
+constexpr std::uint32_t kSystemFieldWords = 105;
+
+enum class MoveType : int {
+  kNone = 0,
+  kWalk = 3,
+  kStep = 4,
+  kFly = 5,
+  kToss = 6,
+  kPush = 7,
+  kNoClip = 8,
+  kFlyMissile = 9,
+  kBounce = 10,
+  kFollow = 12,
+};
+
+enum class Solid : int { kNot = 0, kTrigger = 1, kBox = 2, kSlideBox = 3, kBsp = 4 };
+
+namespace flag {
+constexpr int kFly = 1, kSwim = 2, kClient = 8, kInWater = 16, kMonster = 32, kGodMode = 64, kNoTarget = 128,
+              kItem = 256, kOnGround = 512, kPartialGround = 1024, kWaterJump = 2048, kJumpReleased = 4096;
+}  // namespace flag
+
+// One entity: a view of its words, valid until the number of entities changes.
+class Edict {
+ public:
+  Edict(vm::EntityIndex index, std::span<std::uint32_t> words) : index_(index), words_(words) {}
+
+  vm::EntityIndex index() const { return index_; }
+  std::span<std::uint32_t> words() const { return words_; }
+
+  float operator[](Field<float> f) const { return std::bit_cast<float>(words_[f.word]); }
+  math::Vec3 operator[](Field<math::Vec3> f) const {
+    return {std::bit_cast<float>(words_[f.word]), std::bit_cast<float>(words_[f.word + 1]),
+            std::bit_cast<float>(words_[f.word + 2])};
+  }
+  // As it lies: a program may put a value there that is no entity; Edicts::at() checks.
+  vm::EntityIndex operator[](Field<vm::EntityIndex> f) const { return vm::EntityIndex{words_[f.word]}; }
+  vm::StringIndex operator[](Field<vm::StringIndex> f) const { return vm::StringIndex{words_[f.word]}; }
+  vm::FunctionIndex operator[](Field<vm::FunctionIndex> f) const { return vm::FunctionIndex{words_[f.word]}; }
+
+  void set(Field<float> f, float value) const { words_[f.word] = std::bit_cast<std::uint32_t>(value); }
+  void set(Field<math::Vec3> f, const math::Vec3& value) const {
+    for (int axis = 0; axis < 3; ++axis)
+      words_[f.word + static_cast<std::uint32_t>(axis)] = std::bit_cast<std::uint32_t>(value[axis]);
+  }
+  template <base::IndexType Index>
+  void set(Field<Index> f, Index value) const {
+    words_[f.word] = static_cast<std::uint32_t>(value);
+  }
+
+  // Numbers that stand for something; what is out of range or no number counts as 0.
+  int whole(Field<float> f) const {
+    const float value = (*this)[f];
+    return value > -2e9f && value < 2e9f ? static_cast<int>(value) : 0;
+  }
+  MoveType move_type() const { return static_cast<MoveType>(whole(field::kMoveType)); }
+  Solid solid() const { return static_cast<Solid>(whole(field::kSolid)); }
+  int flags() const { return whole(field::kFlags); }
+  bool has_flag(int flag) const { return (flags() & flag) != 0; }
+  void set_flag(int flag) const { set(field::kFlags, static_cast<float>(flags() | flag)); }
+  void clear_flag(int flag) const { set(field::kFlags, static_cast<float>(flags() & ~flag)); }
+
+ private:
+  vm::EntityIndex index_;
+  std::span<std::uint32_t> words_;
+};
+
+}  // namespace temblor::server

@@ -1,0 +1,26 @@
+// QuakeC source -> program, by the compiler fteqcc, where it is installed.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string_view>
+
+#include "base/bytes.h"
+#include "vm/program.h"
+
+namespace temblor::test {
+
+bool has_quakec_compiler();
+
+// progs.dat of one file of source, "test.qc". CHECKs that it compiles.
+base::ByteVector compile_quakec(std::string_view source);
+// The same, loaded.
+std::shared_ptr<const vm::Program> load_quakec(std::string_view source);
+
+}  // namespace temblor::test
+
+// Declares `variable` as the program of that source, or skips the test and says why.
+#define QUAKEC_OR_SKIP(variable, source)                                                                     \
+  if (!::temblor::test::has_quakec_compiler()) GTEST_SKIP() << "fteqcc, which compiles QuakeC, is not here"; \
+  const auto variable = ::temblor::test::load_quakec(source)
