@@ -4,9 +4,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <optional>
 
-#include "game/played_level.h"
+#include "game/open_ground.h"
 #include "support/game_data.h"
 
 namespace temblor::test {
@@ -17,33 +16,6 @@ namespace field = server::field;
 
 const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "quakec/progs.dat";
 constexpr float kDegree = std::numbers::pi_v<float> / 180;
-constexpr float kDistance = 240;  // at first
-
-math::Vec3 direction(float yaw_deg) {
-  return {std::cos(yaw_deg * kDegree), std::sin(yaw_deg * kDegree), 0};
-}
-
-// In which the largest monsters can come to the player.
-std::optional<float> open_direction(PlayedLevel& io_game) {
-  const math::Vec3 above = io_game.player(0)[field::kOrigin] + math::Vec3(0, 0, 4);
-  for (float yaw = 0; yaw < 360; yaw += 11.25f) {
-    bool is_open = true;
-    for (float way = 80; way <= kDistance + 40; way += 40)
-      is_open = is_open && io_game.has_room(above + direction(yaw) * way, {-34, -34, -24}, {34, 34, 64});
-    if (is_open) return yaw;
-  }
-  return std::nullopt;
-}
-
-// Puts the player where there is such a direction.
-float take_a_stand(PlayedLevel& io_game) {
-  for (const std::uint32_t start : io_game.of_class("info_player_deathmatch")) {
-    io_game.put(io_game.player(0), io_game.edict(start)[field::kOrigin]);
-    io_game.run(0.3);
-    if (const auto yaw = open_direction(io_game)) return *yaw;
-  }
-  CHECK(false, "nowhere is there room");
-}
 
 void aim_at(PlayedLevel& io_game, std::uint32_t monster) {
   const math::Vec3 way = io_game.edict(monster)[field::kOrigin] - io_game.player(0)[field::kOrigin];
@@ -85,7 +57,7 @@ TEST_P(Fights, MonstersFindAndHurtAPlayerAndDieOfHisShots) {
   game.run(1);
   const float yaw = take_a_stand(game);
   game.player(0).set(field::kHealth, 200);
-  const math::Vec3 place = game.player(0)[field::kOrigin] + direction(yaw) * kDistance;
+  const math::Vec3 place = game.player(0)[field::kOrigin] + direction_of(yaw) * kOpenGround;
   const std::uint32_t monster = game.spawn(GetParam(), place, yaw + 180);
 
   EXPECT_LT(time_to_be_hurt(game, 30), 30);
@@ -106,7 +78,7 @@ TEST_P(Fights, MonstersLeaveThoseAloneWhomTheyDoNotNotice) {
   game.run(1);
   const float yaw = take_a_stand(game);
   game.player(0).set_flag(server::flag::kNoTarget);
-  const math::Vec3 place = game.player(0)[field::kOrigin] + direction(yaw) * kDistance;
+  const math::Vec3 place = game.player(0)[field::kOrigin] + direction_of(yaw) * kOpenGround;
   game.spawn(GetParam(), place, yaw + 180);
   EXPECT_GE(time_to_be_hurt(game, 15), 15);
   EXPECT_THAT(game.errors(), IsEmpty());
@@ -127,8 +99,8 @@ TEST(Quarrels, AMonsterThatIsHitByAnotherKindTurnsAgainstIt) {
   const float yaw = take_a_stand(game);
   game.player(0).set_flag(server::flag::kNoTarget);
   const math::Vec3 here = game.player(0)[field::kOrigin];
-  const std::uint32_t ogre = game.spawn("monster_ogre", here + direction(yaw) * kDistance, yaw);
-  const std::uint32_t knight = game.spawn("monster_knight", here + direction(yaw) * 120.0f, yaw);
+  const std::uint32_t ogre = game.spawn("monster_ogre", here + direction_of(yaw) * kOpenGround, yaw);
+  const std::uint32_t knight = game.spawn("monster_knight", here + direction_of(yaw) * 120.0f, yaw);
   game.run(2);
   game.hurt(ogre, knight, 10);
   game.run(0.2);

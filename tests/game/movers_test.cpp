@@ -161,6 +161,56 @@ TEST(Movers, SecretsCountOnce) {
   EXPECT_THAT(game.errors(), IsEmpty());
 }
 
+TEST(Movers, CountersFireWhenAllHaveCome) {
+  DATA_FOLDER_OR_SKIP(data);
+  PlayedLevel game(data, "lq_e1m2", kProgs);
+  game.join(0);
+  game.run(1);
+  const std::uint32_t counter = game.of_class("trigger_counter").at(0);
+  const float count = game.edict_number(counter, "count");
+  ASSERT_GT(count, 0);
+  for (float i = 1; i < count; ++i) {
+    game.use(counter, 1);
+    EXPECT_THAT(game.of_class("delayed_fire"), IsEmpty());
+  }
+  game.use(counter, 1);
+  EXPECT_THAT(game.of_class("delayed_fire"), ::testing::SizeIs(1));  // it has a delay
+  game.run(1);
+  EXPECT_TRUE(game.is_free(counter));
+}
+
+TEST(Movers, MonstersWalkTheirPaths) {
+  DATA_FOLDER_OR_SKIP(data);
+  PlayedLevel game(data, "lq_e0m1", kProgs);
+  game.run(1);
+  int patrols = 0;
+  for (const std::uint32_t walker : game.of_class("monster_army")) {
+    const std::string target = game.text(game.edict(walker)[field::kTarget]);
+    if (!target.starts_with("path")) continue;
+    EXPECT_GT(farthest_way(game, walker, 20), 150) << target;
+    ++patrols;
+  }
+  EXPECT_EQ(patrols, 2);
+  EXPECT_THAT(game.errors(), IsEmpty());
+}
+
+TEST(Movers, ItemsComeBackInADeathmatch) {
+  DATA_FOLDER_OR_SKIP(data);
+  PlayedLevel game(data, "lqdm1", kProgs, {.deathmatch = 1});
+  game.join(0);
+  game.run(1);
+  const std::uint32_t rockets = game.of_class("item_rockets").at(0);
+  const math::Vec3 elsewhere = game.player(0)[field::kOrigin];
+  game.put(game.player(0), middle(game.edict(rockets)));
+  game.run(0.1);
+  EXPECT_EQ(game.edict(rockets)[field::kModelIndex], 0);
+  game.put(game.player(0), elsewhere);
+  game.run(29);
+  EXPECT_EQ(game.edict(rockets)[field::kModelIndex], 0);
+  game.run(2);
+  EXPECT_NE(game.edict(rockets)[field::kModelIndex], 0);
+}
+
 TEST(Movers, TheStartMapsHallsSetTheSkill) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "start", kProgs);

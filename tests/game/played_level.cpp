@@ -241,6 +241,12 @@ float PlayedLevel::global(std::string_view name) const {
   return machine_.global_float(vm::GlobalIndex{definition->offset});
 }
 
+float PlayedLevel::edict_number(std::uint32_t number, std::string_view field_name) {
+  const formats::ProgsDefinition* const definition = program_->find_field(field_name);
+  CHECK(definition != nullptr, "{}", field_name);
+  return edict(number)[server::Field<float>{definition->offset}];
+}
+
 void PlayedLevel::put(server::Edict edict, const math::Vec3& origin) {
   edict.set(field::kOrigin, origin);
   check(server::link(world_, edict.index(), server::TouchTriggers::kYes), "put");

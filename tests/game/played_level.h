@@ -49,6 +49,8 @@ class PlayedLevel final : server::GameCalls {
   // Numbers of the entities of that class.
   std::vector<std::uint32_t> of_class(std::string_view name);
   float global(std::string_view name) const;
+  // A field of the game's own.
+  float edict_number(std::uint32_t number, std::string_view field_name);
   double variable(std::string_view name) const { return variables_.find(name)->number; }
   double time_s() const { return world_.time_s; }
   // To another place, linked, touching what is there.
