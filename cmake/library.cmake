@@ -1,7 +1,15 @@
-# temblor_library(NAME [DEPENDS ...] [PRIVATE_DEPENDS ...]): src/NAME as a static library temblor::NAME.
+# temblor_library(NAME [FOLDER F] [ROOT_ONLY] [DEPENDS ...] [PRIVATE_DEPENDS ...]): src/NAME, or src/F, as a static
+# library temblor::NAME; ROOT_ONLY leaves its sub-folders out, which are libraries of their own then.
 function(temblor_library name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/${name}/*.cpp")
+  cmake_parse_arguments(ARG "ROOT_ONLY" "FOLDER" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  if(NOT ARG_FOLDER)
+    set(ARG_FOLDER ${name})
+  endif()
+  if(ARG_ROOT_ONLY)
+    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/${ARG_FOLDER}/*.cpp")
+  else()
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/${ARG_FOLDER}/*.cpp")
+  endif()
   if(NOT sources)
     add_library(temblor_${name} INTERFACE)
     add_library(temblor::${name} ALIAS temblor_${name})

@@ -5,7 +5,8 @@
 #   docs/compile_with_parallel.sh 8 castle.map --wad ~/wads
 #   PARALLEL="--sshlogin a,b,c --workdir ." docs/compile_with_parallel.sh 48 castle.map
 #
-# TEMBLOR: the program and options in front of the command, "temblor" unless set.
+# TEMBLOR: the program, "temblor" unless set; or the program and options in front of the command, with no
+# space in any of them.
 set -euo pipefail
 if [ $# -lt 2 ]; then
   echo "usage: $0 PROCESSES MAP [options of temblor compile]" >&2
@@ -14,7 +15,8 @@ fi
 shards=$1
 map=$2
 shift 2
-read -r -a temblor <<<"${TEMBLOR:-temblor}"
+temblor=("${TEMBLOR:-temblor}")
+command -v "${temblor[0]}" >/dev/null || read -r -a temblor <<<"${temblor[0]}"
 compile=("${temblor[@]}" compile "$map" "$@")
 
 run_shards() { # of a stage

@@ -91,7 +91,6 @@ base::Status write_wad(const CompileCommandOptions& options, const GameFolders& 
 // Until it is interrupted. What goes wrong is told, and the next version of the map tried.
 base::Status run_and_watch(const CompileCommandOptions& options, CompileSession& io_session) {
   FileWatch watch;
-  watch.add({options.source});  // before it is read: a save during the run counts
   for (;;) {
     base::Status done = base::Ok{};
     const base::Result<compiler::CompileReport> report = io_session.run();

@@ -76,10 +76,10 @@ compiler::CompileOptions compile_options(const CompileCommandOptions& options) {
 }
 
 // With the maps in it; `io_files` gets the names of all that were read.
-base::Result<formats::Map> read_map_file(const std::string& path, std::vector<fs::path>& io_files,
+base::Result<formats::Map> read_map_file(const std::string& path, std::vector<FileStamp>& io_files,
                                          compiler::Warnings& io_warnings) {
   const auto read = [&](const fs::path& file) -> base::Result<std::string> {
-    io_files.push_back(file);
+    io_files.push_back(stamp_of(file));
     TRY(const base::ByteVector bytes, vfs::read_disk_file(file));
     return std::string(base::as_text(bytes));
   };
@@ -193,9 +193,8 @@ base::Result<compiler::CompileReport> CompileSession::run_map(const compiler::Co
                                                               compiler::CompileWatcher& watcher,
                                                               compiler::Warnings& io_warnings) {
   TRY(const formats::Map map, read_map_file(options_.source, source_files_, io_warnings));
-  TRY(const TextureFiles textures,
-      find_textures({options_.textures, options_.wads}, options_.source, map, palette_, io_warnings));
-  source_files_.insert(source_files_.end(), textures.paths.begin(), textures.paths.end());
+  TRY(const TextureFiles textures, find_textures({options_.textures, options_.wads}, options_.source, map,
+                                                 palette_, source_files_, io_warnings));
   return compiler::compile_level(map, textures.sources, palette_, how, jobs_, watcher, build_, io_warnings);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/compile_options.h"
+#include "app/file_watch.h"
 #include "app/interrupt.h"
 #include "app/level_output.h"
 #include "app/options.h"
@@ -38,8 +39,8 @@ class CompileSession {
   bool was_interrupted() const { return interrupt_.was_noted(); }
   Interrupt& interrupt() { return interrupt_; }
   compiler::LightOptions light_options() const;
-  // What the last run read: to be watched.
-  const std::vector<std::filesystem::path>& source_files() const { return source_files_; }
+  // What the last run read, each as it was before that; also when the run failed.
+  const std::vector<FileStamp>& source_files() const { return source_files_; }
 
  private:
   CompileSession(const CompileCommandOptions& options, formats::Palette palette, LevelPaths paths);
@@ -55,7 +56,7 @@ class CompileSession {
   Interrupt interrupt_;  // before the threads of jobs_
   base::Jobs jobs_;
   compiler::Build build_;
-  std::vector<std::filesystem::path> source_files_;
+  std::vector<FileStamp> source_files_;
 };
 
 }  // namespace temblor::app

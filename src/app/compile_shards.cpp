@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "app/compile_summary.h"
@@ -25,17 +27,25 @@ fs::path shard_path(CompileStage stage, const Shard& shard, const LevelPaths& pa
       fmt::format(".{}-{}-of-{}", name_of(stage), shard.number, shard.count));
 }
 
+// Whether the file is called what the file of some share would be.
+bool is_shard_file(const fs::path& file, CompileStage stage, const LevelPaths& paths) {
+  std::string ending = file.extension().string();  // ".vis-2-of-4"
+  const std::string start = fmt::format(".{}-", name_of(stage)), middle = "-of-";
+  const std::size_t between = ending.find(middle);
+  if (!ending.starts_with(start) || between == std::string::npos) return false;
+  const base::Result<Shard> shard =
+      parse_shard(ending.replace(between, middle.size(), "/").substr(start.size()));
+  return shard.ok() && shard_path(stage, *shard, paths).filename() == file.filename();
+}
+
 // Whatever their number: those of a run with another count than the last are found as well, and told apart by
 // who reads them.
 base::Result<std::vector<fs::path>> find_shards(CompileStage stage, const LevelPaths& paths) {
-  const std::string start = fmt::format("{}.{}-", paths.bsp.stem().string(), name_of(stage));
   const fs::path folder = paths.bsp.has_parent_path() ? paths.bsp.parent_path() : fs::path(".");
   std::vector<fs::path> found;
   std::error_code failure;
-  for (fs::directory_iterator it(folder, failure), end; !failure && it != end; it.increment(failure)) {
-    const std::string name = it->path().filename().string();
-    if (name.starts_with(start) && !name.ends_with(".new")) found.push_back(it->path());
-  }
+  for (fs::directory_iterator it(folder, failure), end; !failure && it != end; it.increment(failure))
+    if (is_shard_file(it->path(), stage, paths)) found.push_back(it->path());
   if (failure) return base::Error{base::ErrorCode::kIo, failure.message(), folder.string()};
   std::sort(found.begin(), found.end());
   if (found.empty())
@@ -75,33 +85,57 @@ base::Status write_visibility_shard(const Shard& shard, const fs::path& path, Co
   return base::Ok{};
 }
 
+// Stops now and then to save what is done, in the file that it goes on from.
 base::Status write_light_shard(const Shard& shard, const fs::path& path, CompileSession& io_session) {
-  Progress line("light");
-  const auto progress = [&](std::size_t done, std::size_t total) {
-    line.update(done, total);
-    return true;
-  };
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds kSaveEvery{120};
+  Interrupt& interrupt = io_session.interrupt();
   const compiler::Build& build = io_session.build();
-  TRY(const base::ByteVector bytes,
-      compiler::light_shard(build.bsp, build.face_keys, io_session.light_options(),
-                            {shard.number - 1, shard.count}, io_session.jobs(), progress));
-  return replace_file(path, bytes);
+  Progress line("light");
+  compiler::LightShardBytes made;
+  if (base::Result<base::ByteVector> begun = vfs::read_disk_file(path); begun.ok())
+    made.bytes = std::move(begun).value();
+  interrupt.hold();
+  while (!made.is_finished) {
+    const Clock::time_point start = Clock::now();
+    const auto progress = [&](std::size_t done, std::size_t total) {
+      line.update(done, total);
+      return !interrupt.was_noted() && Clock::now() - start < kSaveEvery;
+    };
+    const base::ByteVector begun = std::move(made.bytes);
+    TRY(made, compiler::light_shard(build.bsp, build.face_keys, io_session.light_options(),
+                                    {shard.number - 1, shard.count}, begun, io_session.jobs(), progress));
+    TRY_STATUS(replace_file(path, made.bytes));
+    if (interrupt.was_noted() && !made.is_finished)
+      return base::Error{base::ErrorCode::kIo, "stopped; the same command goes on from here", path.string()};
+  }
+  interrupt.let_go();
+  return base::Ok{};
+}
+
+// Of files that do not belong together: the command line is right.
+template <typename T>
+base::Result<T> as_fault_of_files(base::Result<T> result) {
+  if (result.ok() || result.error().code != base::ErrorCode::kUsage) return result;
+  base::Error error = result.error();
+  error.code = base::ErrorCode::kMalformed;
+  return error;
 }
 
 base::Status merge(CompileStage stage, std::span<const base::Bytes> shards, CompileSession& io_session) {
   if (stage == CompileStage::kVisibility) {
     TRY(const compiler::MergedVisibility merged,
-        compiler::merge_visibility_shards(shards, io_session.build()));
+        as_fault_of_files(compiler::merge_visibility_shards(shards, io_session.build())));
     fmt::print("{}: visibility of {} of {} portals{}\n", io_session.paths().bsp.string(),
                merged.finished_portals, merged.portals,
                merged.finished_portals == merged.portals ? "" : "; run the shards again");
     return base::Ok{};
   }
   compiler::Warnings warnings;
-  const base::Status merged = compiler::merge_light_shards(shards, io_session.light_options(),
-                                                           io_session.jobs(), io_session.build(), warnings);
+  base::Status merged = compiler::merge_light_shards(shards, io_session.light_options(), io_session.jobs(),
+                                                     io_session.build(), warnings);
   print_warnings(warnings);
-  return merged;
+  return as_fault_of_files(std::move(merged));
 }
 
 // Visibility of what leaks is none.
@@ -109,9 +143,7 @@ base::Status check_closed(CompileStage stage, const compiler::CompileReport& rep
                           const CompileSession& session) {
   if (stage != CompileStage::kVisibility || !report.leak) return base::Ok{};
   return base::Error{base::ErrorCode::kMalformed,
-                     fmt::format("the level leaks, so it has no visibility: entity {} ({}) sees the outside; "
-                                 "compile --only bsp shows the way",
-                                 report.leak->entity, report.leak->classname),
+                     describe_leak(*report.leak) + "; compile --only bsp shows the way",
                      session.paths().bsp.string()};
 }
 

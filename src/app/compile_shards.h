@@ -8,8 +8,9 @@
 
 namespace temblor::app {
 
-// Works out a share of `stage` (visibility or light) and writes its file. Ctrl-C leaves what is done of a
-// share of visibility in it, and nothing of light; then, and for visibility of a level that leaks, an error.
+// Works out a share of `stage` (visibility or light) and writes its file. Ctrl-C leaves what is done of the
+// share in it; then, and for visibility of a level that leaks, an error. A share of light is saved every two
+// minutes, and goes on from its file; one of visibility, once --merge has joined what there is.
 base::Status run_shard(CompileStage stage, const Shard& shard, CompileSession& io_session);
 
 // Joins the files of all shards of `stage`, writes the level and takes them away; says how far the stage is.

@@ -25,10 +25,17 @@ void print_warnings(const compiler::Warnings& warnings) {
   }
 }
 
+std::string describe_leak(const compiler::LeakWay& leak) {
+  const math::Vec3d& place = leak.points_world.front();
+  return fmt::format(
+      "the level leaks, so it has no visibility: entity {} ({}) at {:g} {:g} {:g}, line {} of the map, sees "
+      "the outside",
+      leak.entity, leak.classname, place.x, place.y, place.z, leak.line);
+}
+
 void print_leak(const compiler::LeakWay& leak, const LevelPaths& paths) {
-  print_note(fmt::format(
-      "the level leaks, so it has no visibility: entity {} ({}) sees the outside; the way is in {} and {}",
-      leak.entity, leak.classname, paths.points.string(), paths.leak_picture.string()));
+  print_note(fmt::format("{}; the way is in {} and {}", describe_leak(leak), paths.points.string(),
+                         paths.leak_picture.string()));
 }
 
 void print_summary(const compiler::Build& build, const compiler::CompileReport& report,

@@ -1,6 +1,8 @@
 // What a mapper is told of a compilation.
 #pragma once
 
+#include <string>
+
 #include "app/level_output.h"
 #include "compiler/build.h"
 #include "compiler/compile_level.h"
@@ -10,6 +12,10 @@ namespace temblor::app {
 
 // Notes: the first of each kind, with how many there are.
 void print_warnings(const compiler::Warnings& warnings);
+
+// What to do about it is for the caller to say: "the level leaks, so ...: entity 3 (light) at 0 0 64, line
+// 120 of the map, sees the outside".
+std::string describe_leak(const compiler::LeakWay& leak);
 
 // Where the level leaks, and where that can be seen.
 void print_leak(const compiler::LeakWay& leak, const LevelPaths& paths);

@@ -33,11 +33,14 @@ base::ByteVector points_of(const compiler::LeakWay& leak) {
   return {bytes.begin(), bytes.end()};
 }
 
+base::Result<FileChange> change_of(const fs::path& path, const std::optional<base::ByteVector>& bytes) {
+  if (bytes) return FileChange::replacement(path, *bytes);
+  return FileChange::removal(path);
+}
+
 base::Status replace_or_remove(const fs::path& path, const std::optional<base::ByteVector>& bytes) {
-  if (bytes) return replace_file(path, *bytes);
-  std::error_code ignored;
-  fs::remove(path, ignored);
-  return base::Ok{};
+  TRY(FileChange change, change_of(path, bytes));
+  return change.put_in_place();
 }
 
 }  // namespace
@@ -61,27 +64,48 @@ compiler::Build read_build_file(const LevelPaths& paths) {
   return build;
 }
 
-base::Status write_level(const compiler::Build& build, const std::optional<compiler::LeakWay>& leak,
-                         const LevelPaths& paths, bool keep) {
-  TRY(const base::ByteVector bsp,
-      formats::write_bsp(build.bsp, build.bsp.version).with_file(paths.bsp.string()));
-  TRY_STATUS(replace_file(paths.bsp, bsp));
+base::Result<PreparedLevel> prepare_level(const compiler::Build& build,
+                                          const std::optional<compiler::LeakWay>& leak,
+                                          const LevelPaths& paths) {
+  PreparedLevel level;
+  TRY(level.bsp, formats::write_bsp(build.bsp, build.bsp.version).with_file(paths.bsp.string()));
+  TRY(FileChange bsp_change, FileChange::replacement(paths.bsp, level.bsp));
   std::error_code ignored;
-  if (fs::is_other(paths.bsp, ignored)) return base::Ok{};  // beside a device lie other devices
-  std::optional<base::ByteVector> lit, points, picture, beside;
-  if (build.lit) lit = formats::write_lit(*build.lit);
-  TRY_STATUS(replace_or_remove(paths.lit, lit));
+  if (fs::is_other(paths.bsp, ignored)) {  // beside a device lie other devices
+    level.steps.push_back(std::move(bsp_change));
+    return level;
+  }
+  std::optional<base::ByteVector> points, picture;
+  if (build.lit) level.lit = formats::write_lit(*build.lit);
   if (leak) {
     points = points_of(*leak);
     TRY(picture, draw_leak(build.bsp, leak->points_world).with_file(paths.leak_picture.string()));
   }
-  TRY_STATUS(replace_or_remove(paths.points, points));
-  TRY_STATUS(replace_or_remove(paths.leak_picture, picture));
-  if (keep) beside = compiler::write_build(build, {bsp, lit.value_or(base::ByteVector{})});
+  TRY(FileChange points_change, change_of(paths.points, points));
+  TRY(FileChange picture_change, change_of(paths.leak_picture, picture));
+  level.steps.push_back(std::move(points_change));
+  level.steps.push_back(std::move(picture_change));
+  const bool has_new_colours = level.lit.value_or(base::ByteVector{}) != bytes_of(paths.lit);
+  if (has_new_colours) level.steps.push_back(FileChange::removal(paths.lit, level.lit.has_value()));
+  level.steps.push_back(std::move(bsp_change));
+  if (has_new_colours && level.lit) {
+    TRY(FileChange lit_change, FileChange::replacement(paths.lit, *level.lit));
+    level.steps.push_back(std::move(lit_change));
+  }
+  return level;
+}
+
+base::Status write_level(const compiler::Build& build, const std::optional<compiler::LeakWay>& leak,
+                         const LevelPaths& paths, bool keep) {
+  TRY(PreparedLevel level, prepare_level(build, leak, paths));
+  for (FileChange& step : level.steps) TRY_STATUS(step.put_in_place());
+  std::error_code ignored;
+  if (fs::is_other(paths.bsp, ignored)) return base::Ok{};
+  std::optional<base::ByteVector> beside, begun;
+  if (keep) beside = compiler::write_build(build, {level.bsp, level.lit.value_or(base::ByteVector{})});
   // The level is whole without it.
   if (const base::Status kept = replace_or_remove(paths.build, beside); !kept.ok())
     print_note(fmt::format("the next run makes everything anew: {}", kept.error().message()));
-  std::optional<base::ByteVector> begun;
   if (keep && !build.visibility_state.empty()) begun = build.visibility_state;
   return replace_or_remove(paths.visibility, begun);
 }

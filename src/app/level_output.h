@@ -3,7 +3,10 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
+#include "app/written_file.h"
+#include "base/bytes.h"
 #include "base/result.h"
 #include "compiler/build.h"
 #include "compiler/make_draft.h"
@@ -23,8 +26,20 @@ LevelPaths level_paths(const std::filesystem::path& bsp);
 // What earlier runs left; an empty build where nothing is there, or nothing that can be used.
 compiler::Build read_build_file(const LevelPaths& paths);
 
-// Writes what the build has and takes away what it has not, each file whole or not at all. `keep`: with the
-// build file.
+// A level made ready: its bytes, and the steps that put it on disk. Wherever the steps are cut short, no
+// level lies beside colours of another: those that no longer fit go first, and new ones come after their
+// level.
+struct PreparedLevel {
+  base::ByteVector bsp;
+  std::optional<base::ByteVector> lit;
+  std::vector<FileChange> steps;
+};
+base::Result<PreparedLevel> prepare_level(const compiler::Build& build,
+                                          const std::optional<compiler::LeakWay>& leak,
+                                          const LevelPaths& paths);
+
+// Writes what the build has and takes away what it has not, each file whole or not at all; a full disk leaves
+// the old level and all beside it. `keep`: with the build file.
 base::Status write_level(const compiler::Build& build, const std::optional<compiler::LeakWay>& leak,
                          const LevelPaths& paths, bool keep);
 

@@ -12,6 +12,7 @@
 #include "app/inspect_command.h"
 #include "app/render_command.h"
 #include "app/render_settings.h"
+#include "app/serve_command.h"
 #include "app/settings_command.h"
 #include "command/variables.h"
 
@@ -33,10 +34,12 @@ struct Commands {
   BenchOptions bench;
   InspectOptions inspect;
   CompileCommandOptions compile;
+  ServeOptions serve;
   CLI::App* render_command = nullptr;
   CLI::App* bench_command = nullptr;
   CLI::App* inspect_command = nullptr;
   CLI::App* compile_command = nullptr;
+  CLI::App* serve_command = nullptr;
   CLI::App* settings_command = nullptr;
 };
 
@@ -50,6 +53,7 @@ void describe_command_line(CLI::App& program, Commands& io_commands) {
   io_commands.bench_command = add_bench_command(program, io_commands.bench);
   io_commands.inspect_command = add_inspect_command(program, io_commands.inspect);
   io_commands.compile_command = add_compile_command(program, io_commands.compile);
+  io_commands.serve_command = add_serve_command(program, io_commands.serve);
   io_commands.settings_command = add_settings_command(program);
 }
 
@@ -57,6 +61,7 @@ base::Status run(const Commands& commands) {
   command::Variables variables;
   const RenderSettings render_settings(variables);
   const ClientVariables client_variables(variables);
+  const server::ServerVariables server_variables(variables);
   if (commands.render_command->parsed()) {
     TRY_STATUS(apply_options(commands.common, commands.render.frame.threads, variables));
     return run_render(commands.render, commands.common.folders, client_variables.read(variables),
@@ -70,6 +75,8 @@ base::Status run(const Commands& commands) {
   TRY_STATUS(apply_options(commands.common, std::nullopt, variables));
   if (commands.inspect_command->parsed()) return run_inspect(commands.inspect);
   if (commands.compile_command->parsed()) return run_compile(commands.compile, commands.common.folders);
+  if (commands.serve_command->parsed())
+    return run_serve(commands.serve, commands.common.folders, server_variables);
   run_settings(variables);
   return base::Ok{};
 }

@@ -42,9 +42,10 @@ base::Result<base::ByteVector> wad_of(const std::vector<fs::path>& pictures,
 }
 
 // The first that is a file and can be read.
-bool add_first_of(const std::vector<fs::path>& candidates, TextureFiles& io_files) {
+bool add_first_of(const std::vector<fs::path>& candidates, std::vector<FileStamp>& io_stamps,
+                  TextureFiles& io_files) {
   for (const fs::path& path : candidates) {
-    io_files.paths.push_back(path);
+    io_stamps.push_back(stamp_of(path));
     base::Result<base::ByteVector> file = vfs::read_disk_file(path);
     if (!file.ok()) continue;
     io_files.add(path.filename().string(), std::move(file).value());
@@ -69,12 +70,13 @@ base::Result<base::ByteVector> wad_of_pictures(const fs::path& folder, const for
 
 base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::path& map_path,
                                          const formats::Map& map, const formats::Palette& palette,
-                                         compiler::Warnings& io_warnings) {
+                                         std::vector<FileStamp>& io_stamps, compiler::Warnings& io_warnings) {
   TextureFiles files;
   if (!places.pictures.empty()) {
-    TRY(files.paths, find_pictures(places.pictures));
-    TRY(base::ByteVector wad, wad_of(files.paths, palette));
-    files.paths.emplace_back(places.pictures);
+    io_stamps.push_back(stamp_of(places.pictures));
+    TRY(const std::vector<fs::path> pictures, find_pictures(places.pictures));
+    for (const fs::path& picture : pictures) io_stamps.push_back(stamp_of(picture));
+    TRY(base::ByteVector wad, wad_of(pictures, palette));
     files.add(places.pictures, std::move(wad));
   }
   std::vector<fs::path> folders;
@@ -84,19 +86,19 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
       folders.emplace_back(wad);
       continue;
     }
+    io_stamps.push_back(stamp_of(wad));
     base::Result<base::ByteVector> file = vfs::read_disk_file(wad);
     if (!file.ok()) {
       const base::Error& why = file.error();
       return base::Error{why.code, "--wad: " + why.what, wad};
     }
     files.add(fs::path(wad).filename().string(), std::move(file).value());
-    files.paths.emplace_back(wad);
   }
   const std::string_view key =
       map.entities.empty() ? "" : map.entities.front().fields.find("wad").value_or("");
   for (const std::string& entry : compiler::split_wad_key(key)) {
     constexpr std::size_t kMaxChars = 120;  // paths are long
-    if (!add_first_of(compiler::wad_candidates(entry, map_path.parent_path(), folders), files))
+    if (!add_first_of(compiler::wad_candidates(entry, map_path.parent_path(), folders), io_stamps, files))
       io_warnings.push_back({"WAD not found", fmt::format("{} (--wad FOLDER says where to look)",
                                                           base::quotable(entry, kMaxChars))});
   }

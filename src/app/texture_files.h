@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/file_watch.h"
 #include "base/bytes.h"
 #include "base/result.h"
 #include "compiler/report.h"
@@ -19,7 +20,6 @@ namespace temblor::app {
 struct TextureFiles {
   std::vector<std::unique_ptr<base::ByteVector>> bytes;
   std::vector<compiler::TextureSource> sources;
-  std::vector<std::filesystem::path> paths;  // of all that was read, or looked for in vain
 
   void add(std::string name, base::ByteVector file);
 };
@@ -35,9 +35,10 @@ base::Result<base::ByteVector> wad_of_pictures(const std::filesystem::path& fold
 
 // In the order in which textures are looked for: pictures, `wads`, what the map's "wad" key names; with the
 // project's own palette, last, the textures of the level made in code (artgen/small_level.h). What the map
-// names and nobody has is a warning; what the command line names must be there.
+// names and nobody has is a warning; what the command line names must be there. `io_stamps`: gets those of
+// all that is read, or looked for in vain, as it was before; also when this fails.
 base::Result<TextureFiles> find_textures(const TexturePlaces& places, const std::filesystem::path& map_path,
                                          const formats::Map& map, const formats::Palette& palette,
-                                         compiler::Warnings& io_warnings);
+                                         std::vector<FileStamp>& io_stamps, compiler::Warnings& io_warnings);
 
 }  // namespace temblor::app

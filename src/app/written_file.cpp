@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace temblor::app {
 namespace {
@@ -35,26 +36,65 @@ std::filesystem::path place_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-base::Status replace_file(const std::filesystem::path& path, base::Bytes bytes) {
+base::Result<FileChange> FileChange::replacement(const std::filesystem::path& path, base::Bytes bytes) {
+  FileChange change;
+  change.path_ = path;
   std::error_code failure;
   // A device or a pipe holds nothing to be kept, and a file must not take its place.
   if (std::filesystem::is_other(path, failure)) {
-    const auto reason = write_bytes(path, bytes);
-    return reason ? base::Status(cannot_write(path, *reason)) : base::Ok{};
+    change.device_bytes_.emplace(bytes.begin(), bytes.end());
+    return change;
   }
-  const std::filesystem::path place = place_of(path);
+  change.place_ = place_of(path);
   // Two programs that write the same file at once must not write into each other's.
-  std::filesystem::path beside = place;
-  beside += "." + std::to_string(getpid()) + ".new";
-  if (const auto reason = write_bytes(beside, bytes)) {
-    std::filesystem::remove(beside, failure);
-    return cannot_write(path, *reason);
+  change.beside_ = change.place_;
+  change.beside_ += "." + std::to_string(getpid()) + ".new";
+  if (const auto reason = write_bytes(change.beside_, bytes)) return cannot_write(path, *reason);
+  return change;
+}
+
+FileChange FileChange::removal(const std::filesystem::path& path, bool replaced) {
+  FileChange change;
+  change.path_ = path;
+  change.place_ = replaced ? place_of(path) : path;
+  return change;
+}
+
+FileChange::FileChange(FileChange&& other) noexcept {
+  *this = std::move(other);
+}
+
+FileChange& FileChange::operator=(FileChange&& other) noexcept {
+  path_.swap(other.path_);
+  place_.swap(other.place_);
+  beside_.swap(other.beside_);
+  device_bytes_.swap(other.device_bytes_);
+  return *this;
+}
+
+FileChange::~FileChange() {
+  std::error_code ignored;
+  if (!beside_.empty()) std::filesystem::remove(beside_, ignored);
+}
+
+base::Status FileChange::put_in_place() {
+  std::error_code failure;
+  if (device_bytes_) {
+    const auto reason = write_bytes(path_, *device_bytes_);
+    return reason ? base::Status(cannot_write(path_, *reason)) : base::Ok{};
   }
-  std::filesystem::rename(beside, place, failure);
-  if (!failure) return base::Ok{};
-  const std::string reason = failure.message();
-  std::filesystem::remove(beside, failure);
-  return cannot_write(path, reason);
+  if (beside_.empty())
+    std::filesystem::remove(place_, failure);
+  else
+    std::filesystem::rename(beside_, place_, failure);
+  if (failure) return cannot_write(path_, failure.message());
+  beside_.clear();
+  return base::Ok{};
+}
+
+base::Status replace_file(const std::filesystem::path& path, base::Bytes bytes) {
+  TRY(FileChange change, FileChange::replacement(path, bytes));
+  return change.put_in_place();
 }
 
 }  // namespace temblor::app

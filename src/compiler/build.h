@@ -28,7 +28,7 @@ struct Build {
   // Lit samples for the file beside the level; nothing where all light is white.
   std::optional<formats::Lit> lit;
 
-  StageKey brushes_key = 0;  // 0 also where the level leaks, or is a region of the map
+  StageKey brushes_key = 0;  // 0 also where a hull of the level leaks, or it is a region of the map
   StageKey solid_occupants_key = 0;
   std::size_t own_textures = 0;  // of sides; others came along because they are frames of these
   std::vector<BrushEntity> brush_entities;

@@ -75,16 +75,33 @@ void add_brush_keys(const formats::Entity& fields, Hasher& io_hash) {
   visit_fields(keys, [&](auto field) { io_hash.add(static_cast<double>(field)); });
 }
 
-bool is_solid_at(const formats::Bsp& bsp, const math::Vec3d& point_world) {
-  constexpr std::int32_t kSolidContents = -2;
-  std::int32_t child = bsp.models.front().head_nodes[0];
+constexpr std::int32_t kSolidContents = -2;
+constexpr std::size_t kHulls = 3;  // that levels are compiled for
+
+// In the tree of what is drawn, or in that of a hull of boxes.
+std::int32_t contents_at(const formats::Bsp& bsp, std::size_t hull, const math::Vec3d& point_world) {
+  // Readers take hulls for empty where no hull has a node; those of ours are solid then.
+  if (hull > 0 && bsp.clipnodes.empty()) return kSolidContents;
+  std::int32_t child = bsp.models.front().head_nodes[hull];
+  const auto side_of = [&](std::uint32_t plane_index) {
+    const formats::BspPlane& plane = bsp.planes[plane_index];
+    return glm::dot(math::Vec3d(plane.normal), point_world) >= double{plane.distance} ? 0 : 1;
+  };
   while (child >= 0) {
-    const formats::BspNode& node = bsp.nodes[static_cast<std::size_t>(child)];
-    const formats::BspPlane& plane = bsp.planes[node.plane];
-    const double above = glm::dot(math::Vec3d(plane.normal), point_world) - double{plane.distance};
-    child = node.children[above >= 0 ? 0 : 1];
+    const auto node = static_cast<std::size_t>(child);
+    child = hull == 0 ? bsp.nodes[node].children[side_of(bsp.nodes[node].plane)]
+                      : bsp.clipnodes[node].children[side_of(bsp.clipnodes[node].plane)];
   }
-  return bsp.leafs[static_cast<std::size_t>(-(child + 1))].contents == kSolidContents;
+  return hull == 0 ? bsp.leafs[static_cast<std::size_t>(-(child + 1))].contents : child;
+}
+
+// Whether the outside might reach places in this hull that it does not reach in what is drawn: where a brush
+// of the world, which may be what seals it, is not in the hull. Else there is only more in it.
+bool may_be_more_open(const formats::Map& map, std::size_t hull) {
+  return std::ranges::any_of(map.entities, [&](const formats::MapEntity& entity) {
+    const BrushClass of = brush_class_of(entity.fields);
+    return of.is_world && !entity.brushes.empty() && (of.hulls & hull_bit(hull)) == 0;
+  });
 }
 
 bool has_brushes(const formats::Entity& entity) {
@@ -132,10 +149,15 @@ StageKey key_of_brushes(const formats::Map& map, TextureSize texture_size, const
 
 StageKey key_of_solid_occupants(const formats::Map& map, const formats::Bsp& bsp) {
   Hasher hash(0);
-  for (const formats::MapEntity& entity : map.entities) {
-    if (!is_point_entity(entity)) continue;
-    const auto origin = entity.fields.find_vec3("origin");
-    if (origin && is_solid_at(bsp, math::Vec3d(*origin))) hash.add(math::Vec3d(*origin));
+  for (std::size_t hull = 0; hull < kHulls; ++hull) {
+    if (hull > 0 && !may_be_more_open(map, hull)) continue;
+    hash.add(std::uint64_t{hull});
+    for (const formats::MapEntity& entity : map.entities) {
+      if (!is_point_entity(entity)) continue;
+      const auto origin = entity.fields.find_vec3("origin");
+      if (origin && contents_at(bsp, hull, math::Vec3d(*origin)) == kSolidContents)
+        hash.add(math::Vec3d(*origin));
+    }
   }
   return hash.key();
 }

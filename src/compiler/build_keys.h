@@ -13,7 +13,8 @@ namespace temblor::compiler {
 StageKey key_of_brushes(const formats::Map& map, TextureSize texture_size, const DraftOptions& options);
 
 // Of the places of entities within what is solid, which the BSP stage does not take for outside. Where an
-// entity goes into or out of solid, a leak may come or go.
+// entity goes into or out of solid, a leak may come or go. That is asked of each hull whose outside may be
+// larger than that of what is drawn; the level leaks in none of them.
 StageKey key_of_solid_occupants(const formats::Map& map, const formats::Bsp& bsp);
 
 // Of the light stage. `bsp`: with visibility, if it shall have any; what light it has does not count.

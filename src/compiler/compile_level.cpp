@@ -95,7 +95,7 @@ base::Status make_brushes(const formats::Map& map, const TextureSet& textures, c
   build.visibility_state = std::move(io_build.visibility_state);
   build.light_cache = std::move(io_build.light_cache);
   io_build = std::move(build);
-  if (!made.leak && !made.is_region) {
+  if (!made.leak && !made.clip_hulls_leak && !made.is_region) {
     io_build.brushes_key = key;
     io_build.solid_occupants_key = key_of_solid_occupants(map, io_build.bsp);
   }

@@ -72,7 +72,8 @@ base::Result<Preparation> prepare(const formats::Bsp& bsp, const FaceKeys& face_
 // One progress over all that is done face by face, by any thread.
 class SharedProgress {
  public:
-  SharedProgress(Progress report, std::size_t total) : report_(report), total_(total) {}
+  SharedProgress(Progress report, std::size_t total, std::size_t done = 0)
+      : report_(report), total_(total), done_(done) {}
 
   // False: stop here.
   bool step() {
@@ -83,7 +84,7 @@ class SharedProgress {
 
  private:
   Progress report_;
-  std::size_t total_, done_ = 0;
+  std::size_t total_, done_;
   bool stopped_ = false;
   std::mutex reporting_;
 };
@@ -92,16 +93,22 @@ base::Error stopped() {
   return base::error(base::ErrorCode::kUsage, "light was stopped");
 }
 
-std::size_t maps_of(const LightShard& shard, std::size_t maps) {
-  return (maps + shard.count - 1 - shard.index) / shard.count;
+constexpr ShardHeader kWhole{};
+
+bool bounces(const Preparation& prepared) {
+  return prepared.settings.bounce.count > 0;
 }
 
-// The direct light of a shard's light maps; what others get is empty. `io_learned`: gets them; may be null.
-base::Result<std::vector<FaceLight>> direct_light(const Preparation& prepared, const LightOptions& options,
-                                                  const LightShard& shard, base::Jobs& io_jobs,
-                                                  SharedProgress& io_progress,
-                                                  const KnownLight* known = nullptr,
-                                                  LightCache* io_learned = nullptr) {
+// Whether the rays of a shard could be this level's.
+bool are_bounces_of(const Preparation& prepared, const LightWork& work) {
+  return !bounces(prepared) || are_bounces_of(prepared.lit, work.bounces.seen);
+}
+
+// The direct light of a shard's light maps that are not lit yet. `io_learned`: gets what was found out of
+// them; may be null. False when the progress ever said stop.
+bool add_direct_light(const Preparation& prepared, const LightOptions& options, const ShardHeader& shard,
+                      base::Jobs& io_jobs, SharedProgress& io_progress, LightWork& io_work,
+                      const KnownLight* known = nullptr, LightCache* io_learned = nullptr) {
   const LitLevel& lit = prepared.lit;
   const PhongNormals phong(lit);
   const LeafSight sight(lit, prepared.lights);
@@ -114,30 +121,33 @@ base::Result<std::vector<FaceLight>> direct_light(const Preparation& prepared, c
                                prepared.beams,
                                shadow_sampling(options.extra),
                                known};
-  std::vector<FaceLight> light(lit.maps.size());
-  if (io_learned != nullptr) io_learned->maps.resize(light.size());
+  if (io_learned != nullptr) io_learned->maps.resize(lit.maps.size());
+  const std::vector<std::uint32_t> maps = share_of(shard, lit.maps.size());
   std::atomic<bool> is_stopped{false};
-  io_jobs.parallel_for(maps_of(shard, light.size()), [&](std::size_t i) {
-    if (is_stopped.load(std::memory_order_relaxed)) return;
-    const std::size_t map = shard.index + i * shard.count;
+  io_jobs.parallel_for(maps.size(), [&](std::size_t i) {
+    const std::uint32_t map = maps[i];
+    if (io_work.is_lit[map] != 0 || is_stopped.load(std::memory_order_relaxed)) return;
     if (lit.gets_light[lit.maps[map].face])
-      light[map] = direct_light_of(input, map, io_learned != nullptr ? &io_learned->maps[map] : nullptr);
+      io_work.light[map] =
+          direct_light_of(input, map, io_learned != nullptr ? &io_learned->maps[map] : nullptr);
+    io_work.is_lit[map] = 1;
     if (!io_progress.step()) is_stopped = true;
   });
-  if (is_stopped) return stopped();
-  return light;
+  return !is_stopped;
 }
 
-// The rays of bounced light: known ones, or traced now.
-base::Result<std::vector<std::uint32_t>> bounces_of(const Preparation& prepared, base::Jobs& io_jobs,
-                                                    SharedProgress& io_progress,
-                                                    const KnownLight* known = nullptr) {
-  if (prepared.settings.bounce.count == 0) return std::vector<std::uint32_t>();
-  if (known != nullptr && are_bounces_of(prepared.lit, known->bounces()))
-    return std::vector<std::uint32_t>(known->bounces().begin(), known->bounces().end());
-  auto seen = trace_bounces(prepared.lit, prepared.scene, io_jobs, [&] { return io_progress.step(); });
-  if (!seen) return stopped();
-  return *std::move(seen);
+// The rays of bounced light: known ones, or traced now. False when the progress ever said stop.
+bool add_bounces(const Preparation& prepared, const ShardHeader& shard, base::Jobs& io_jobs,
+                 SharedProgress& io_progress, LightWork& io_work, const KnownLight* known = nullptr) {
+  if (!bounces(prepared)) return true;
+  BounceRays& rays = io_work.bounces;
+  if (known != nullptr && are_bounces_of(prepared.lit, known->bounces())) {
+    rays.seen.assign(known->bounces().begin(), known->bounces().end());
+    return true;
+  }
+  return trace_bounces(
+      prepared.lit, prepared.scene, share_of(shard, rays.is_traced.size()), io_jobs,
+      [&] { return io_progress.step(); }, rays);
 }
 
 void set_coloured_lump(const formats::Lit& lit, formats::Bsp& io_bsp) {
@@ -145,13 +155,13 @@ void set_coloured_lump(const formats::Lit& lit, formats::Bsp& io_bsp) {
   io_bsp.bspx.push_back({kColouredLump, base::ByteVector(bytes.begin(), bytes.end())});
 }
 
-LightSummary finish(const Preparation& prepared, const LightOptions& options, std::vector<FaceLight> light,
-                    std::span<const std::uint32_t> bounces, formats::Bsp& io_bsp, base::Jobs& io_jobs,
-                    Warnings& io_warnings) {
+LightSummary finish(const Preparation& prepared, const LightOptions& options, LightWork& io_work,
+                    formats::Bsp& io_bsp, base::Jobs& io_jobs, Warnings& io_warnings) {
   const LightSettings& settings = prepared.settings;
-  if (settings.bounce.count > 0)
-    add_bounced_light(prepared.lit, bounces, settings.bounce, options.palette, io_jobs, light);
-  PackedLight packed = pack_light_maps(prepared.lit, settings, light, io_jobs, io_bsp, io_warnings);
+  if (bounces(prepared))
+    add_bounced_light(prepared.lit, io_work.bounces.seen, settings.bounce, options.palette, io_jobs,
+                      io_work.light);
+  PackedLight packed = pack_light_maps(prepared.lit, settings, io_work.light, io_jobs, io_bsp, io_warnings);
   if (prepared.styles_changed) io_bsp.entities = formats::write_entities(prepared.entities);
   std::erase_if(io_bsp.bspx, [](const formats::BspxLump& lump) { return lump.name == kColouredLump; });
   if (packed.coloured) set_coloured_lump(packed.lit, io_bsp);
@@ -183,8 +193,8 @@ base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& fac
                                        const LightOptions& options, base::Jobs& io_jobs, Progress progress,
                                        Warnings& io_warnings, LightCache* io_cache) {
   TRY(const Preparation prepared, prepare(io_bsp, face_keys, options, io_warnings));
-  const std::size_t maps = prepared.lit.maps.size();
-  SharedProgress shared(progress, prepared.settings.bounce.count > 0 ? maps + io_bsp.faces.size() : maps);
+  LightWork work = begin_light(prepared.lit, bounces(prepared));
+  SharedProgress shared(progress, work.light.size() + work.bounces.is_traced.size());
   LightCache learned;
   std::optional<KnownLight> known;
   if (io_cache != nullptr) {
@@ -192,27 +202,39 @@ base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& fac
     known.emplace(*io_cache, learned, prepared.lights);
   }
   const KnownLight* const use = known ? &*known : nullptr;
-  TRY(std::vector<FaceLight> light,
-      direct_light(prepared, options, {}, io_jobs, shared, use, io_cache != nullptr ? &learned : nullptr));
-  TRY(std::vector<std::uint32_t> bounces, bounces_of(prepared, io_jobs, shared, use));
-  const LightSummary summary =
-      finish(prepared, options, std::move(light), bounces, io_bsp, io_jobs, io_warnings);
+  LightCache* const learns = io_cache != nullptr ? &learned : nullptr;
+  if (!add_direct_light(prepared, options, kWhole, io_jobs, shared, work, use, learns) ||
+      !add_bounces(prepared, kWhole, io_jobs, shared, work, use))
+    return stopped();
+  const LightSummary summary = finish(prepared, options, work, io_bsp, io_jobs, io_warnings);
   if (io_cache != nullptr) {
-    learned.bounces = std::move(bounces);
+    learned.bounces = std::move(work.bounces.seen);
     *io_cache = std::move(learned);
   }
   return summary;
 }
 
-base::Result<base::ByteVector> light_shard(const formats::Bsp& bsp, const FaceKeys& face_keys,
-                                           const LightOptions& options, const LightShard& shard,
-                                           base::Jobs& io_jobs, Progress progress) {
+base::Result<LightShardBytes> light_shard(const formats::Bsp& bsp, const FaceKeys& face_keys,
+                                          const LightOptions& options, const LightShard& shard,
+                                          base::Bytes begun, base::Jobs& io_jobs, Progress progress) {
   CHECK(shard.index < shard.count);
   Warnings told_by_the_merge;
   TRY(const Preparation prepared, prepare(bsp, face_keys, options, told_by_the_merge));
-  SharedProgress shared(progress, maps_of(shard, prepared.lit.maps.size()));
-  TRY(const std::vector<FaceLight> light, direct_light(prepared, options, shard, io_jobs, shared));
-  return write_shard({hash_of_light_input(unlit(bsp), face_keys, options), shard.index, shard.count}, light);
+  const ShardHeader header{hash_of_light_input(unlit(bsp), face_keys, options), shard.index, shard.count};
+  LightWork work = begin_light(prepared.lit, bounces(prepared));
+  const base::Result<ReadShard> read = read_shard(begun, luxels_of_maps(prepared.lit), work);
+  if (!read.ok() || read->header != header || !are_bounces_of(prepared, work))
+    work = begin_light(prepared.lit, bounces(prepared));
+  const auto done = [&] {
+    return static_cast<std::size_t>(std::ranges::count(work.is_lit, 1) +
+                                    std::ranges::count(work.bounces.is_traced, 1));
+  };
+  const std::size_t total =
+      share_of(header, work.is_lit.size()).size() + share_of(header, work.bounces.is_traced.size()).size();
+  SharedProgress shared(progress, total, done());
+  if (add_direct_light(prepared, options, header, io_jobs, shared, work))
+    add_bounces(prepared, header, io_jobs, shared, work);
+  return LightShardBytes{write_shard(header, work), done() == total};
 }
 
 base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& face_keys,
@@ -221,10 +243,10 @@ base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& fac
   TRY(const Preparation prepared, prepare(io_bsp, face_keys, options, io_warnings));
   const std::vector<std::size_t> luxels = luxels_of_maps(prepared.lit);
   const std::uint64_t level = hash_of_light_input(unlit(io_bsp), face_keys, options);
-  std::vector<FaceLight> light(luxels.size());
+  LightWork work = begin_light(prepared.lit, bounces(prepared));
   std::vector<bool> merged(shards.size());
   for (const base::Bytes bytes : shards) {
-    TRY(Shard shard, read_shard(bytes, luxels));
+    TRY(const ReadShard shard, read_shard(bytes, luxels, work));
     const ShardHeader& header = shard.header;
     if (header.level != level)
       return base::error(base::ErrorCode::kUsage, "light shard {} of {} is of another level or other options",
@@ -233,14 +255,14 @@ base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& fac
       return base::error(base::ErrorCode::kUsage, "light shard {} of {} {} among {} shards", header.index + 1,
                          header.count, header.count == shards.size() ? "is there twice" : "is",
                          shards.size());
+    if (!shard.is_finished)
+      return base::error(base::ErrorCode::kUsage, "light shard {} of {} is not finished: run it again",
+                         header.index + 1, header.count);
     merged[header.index] = true;
-    for (auto& [map, map_light] : shard.maps) light[map] = std::move(map_light);
   }
   if (shards.empty()) return base::error(base::ErrorCode::kUsage, "no light shards to merge");
-  const auto unreported = [](std::size_t, std::size_t) { return true; };
-  SharedProgress shared(unreported, 0);
-  TRY(const std::vector<std::uint32_t> bounces, bounces_of(prepared, io_jobs, shared));
-  return finish(prepared, options, std::move(light), bounces, io_bsp, io_jobs, io_warnings);
+  if (!are_bounces_of(prepared, work)) return base::malformed("light shards: rays end on what is not there");
+  return finish(prepared, options, work, io_bsp, io_jobs, io_warnings);
 }
 
 }  // namespace temblor::compiler

@@ -48,17 +48,23 @@ base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& fac
                                        const LightOptions& options, base::Jobs& io_jobs, Progress progress,
                                        Warnings& io_warnings, LightCache* io_cache = nullptr);
 
-// The same work by several processes: each makes a shard, which is light maps index, index + count, ..., and
-// one of them merges all shards to what light_level would have made.
+// The same work by several processes: each makes a shard, which is light maps and faces index, index + count,
+// ..., and one of them merges all shards to what light_level would have made.
 struct LightShard {
   std::uint32_t index = 0, count = 1;  // index < count
 };
-base::Result<base::ByteVector> light_shard(const formats::Bsp& bsp, const FaceKeys& face_keys,
-                                           const LightOptions& options, const LightShard& shard,
-                                           base::Jobs& io_jobs, Progress progress);
+struct LightShardBytes {
+  base::ByteVector bytes;
+  bool is_finished = false;  // else `progress` said stop: to go on from
+};
+// `begun`: what was saved of this shard; empty, or of anything else: all of it is worked out. When it is
+// finished the bytes are the same however often it was stopped.
+base::Result<LightShardBytes> light_shard(const formats::Bsp& bsp, const FaceKeys& face_keys,
+                                          const LightOptions& options, const LightShard& shard,
+                                          base::Bytes begun, base::Jobs& io_jobs, Progress progress);
 
-// `shards`: all of them, in any order. kUsage where one is missing, there twice, or of another level, other
-// lights or other options.
+// `shards`: all of them, in any order. kUsage where one is missing, there twice, not finished, or of another
+// level, other lights or other options.
 base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& face_keys,
                                        const LightOptions& options, std::span<const base::Bytes> shards,
                                        base::Jobs& io_jobs, Warnings& io_warnings);

@@ -177,8 +177,15 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   draft.surface_keys = std::move(level.surface_keys);
   if (const auto& leak = parts.front().leak) {
     const std::size_t entity = level.entity_of_occupant[leak->entity];
-    result.leak = LeakWay{entity, base::quotable(map.entities[entity].fields.classname()), leak->way_world};
+    result.leak = LeakWay{entity, map.entities[entity].line,
+                          base::quotable(map.entities[entity].fields.classname()), leak->way_world};
   }
+  for (std::size_t hull = 1; hull < kTrees; ++hull)
+    result.clip_hulls_leak |= !result.leak && parts[hull].leak.has_value();
+  if (options.fill_outside && level.occupants_world.empty())
+    io_warnings.push_back({"no entity has a place",
+                           "so nothing tells inside from outside, and both are drawn, as only boxes of "
+                           "supplies need it"});
   if (draft.bsp.faces.empty())
     io_warnings.push_back({"nothing is drawn", "every side is hidden, or has a texture that is not drawn"});
   return result;

@@ -1,6 +1,7 @@
 // The BSP stage: from map text to a level that lacks visibility, light and textures.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,15 +22,17 @@ struct DraftOptions {
 
 // How a level that is not closed leaks: from an entity to the outside.
 struct LeakWay {
-  std::size_t entity;     // of the map
-  std::string classname;  // as much of it as a message can bear
-  std::vector<math::Vec3d> points_world;
+  std::size_t entity;                     // of the map
+  std::uint32_t line;                     // of the entity, in the map's text
+  std::string classname;                  // as much of it as a message can bear
+  std::vector<math::Vec3d> points_world;  // the entity's place first
 };
 
 struct DraftResult {
   Draft draft;  // its textures are names without pictures
   std::optional<LeakWay> leak;
-  bool is_region = false;  // only a part of the map is in it
+  bool clip_hulls_leak = false;  // where what is drawn does not: what seals is not in them (_hulls)
+  bool is_region = false;        // only a part of the map is in it
 };
 
 // The same bytes whatever the number of threads. Errors: no worldspawn, no brush with a volume, a brush

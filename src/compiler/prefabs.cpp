@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -22,6 +23,7 @@ using math::Vec3d;
 namespace fs = std::filesystem;
 
 constexpr std::string_view kPrefab = "misc_external_map";
+constexpr std::string_view kVisBlocker = "func_illusionary_visblocker";
 
 // What an entity asks for.
 struct PrefabUse {
@@ -115,9 +117,15 @@ bool is_prefab(const formats::MapEntity& entity) {
   return entity.fields.classname() == kPrefab;
 }
 
+// Its brushes become those of the entity that takes the prefab in.
 bool gives_brushes(const formats::MapEntity& entity) {
   const std::string_view name = entity.fields.classname();
   return name == "worldspawn" || name == "func_group" || name.starts_with("func_detail");
+}
+
+// Its brushes cannot be solid, so they stay what they are.
+bool stays_as_it_is(const formats::MapEntity& entity) {
+  return entity.fields.classname() == kVisBlocker;
 }
 
 // The entity without the keys that are answered, as what it is to be.
@@ -152,14 +160,28 @@ class PrefabExpander {
     line_ = io_entity.line;
     const Site site{"", number, io_entity.line};
     TRY(const PrefabUse use, read_use(io_entity.fields, chain_.front(), site));
-    TRY_STATUS(take_brushes(use, site, io_entity.brushes));
+    Taken taken;
+    TRY_STATUS(take_brushes(use, site, taken));
     io_entity.fields = fields_of_result(io_entity.fields);
+    std::ranges::move(taken.brushes, std::back_inserter(io_entity.brushes));
+    if (!taken.vis_blockers.empty()) {
+      formats::MapEntity& blocker = vis_blockers_.emplace_back();
+      blocker.fields.pairs = {{"classname", std::string(kVisBlocker)}};
+      blocker.brushes = std::move(taken.vis_blockers);
+      blocker.line = line_;
+    }
     return base::Ok{};
   }
 
+  // What belongs behind the map's own entities.
+  std::vector<formats::MapEntity> take_vis_blockers() { return std::move(vis_blockers_); }
+
  private:
-  base::Status take_brushes(const PrefabUse& use, const Site& site,
-                            std::vector<formats::MapBrush>& io_brushes) {
+  struct Taken {
+    std::vector<formats::MapBrush> brushes, vis_blockers;
+  };
+
+  base::Status take_brushes(const PrefabUse& use, const Site& site, Taken& io_taken) {
     TRY_STATUS(enter(use.file, site));
     TRY(const formats::Map* const map, load(use.file, site));
     for (std::size_t i = 0; i < map->entities.size(); ++i) {
@@ -168,8 +190,9 @@ class PrefabExpander {
         const Site inner_site{use.file.string(), i, entity.line};
         TRY(PrefabUse inner, read_use(entity.fields, use.file, inner_site));
         inner.placement = combined(use.placement, inner.placement);
-        TRY_STATUS(take_brushes(inner, inner_site, io_brushes));
-      } else if (gives_brushes(entity)) {
+        TRY_STATUS(take_brushes(inner, inner_site, io_taken));
+      } else if (gives_brushes(entity) || stays_as_it_is(entity)) {
+        auto& io_brushes = stays_as_it_is(entity) ? io_taken.vis_blockers : io_taken.brushes;
         for (const formats::MapBrush& brush : entity.brushes)
           TRY_STATUS(take_brush(brush, use.placement, site, io_brushes));
       }
@@ -219,8 +242,10 @@ class PrefabExpander {
     const auto text = read_text_(file);
     if (!text.ok()) return site.fail(text.error().code, "prefab {}: {}", file.string(), text.error().what);
     TRY(formats::Map map, formats::read_map(*text).with_file(file.string()));
-    const auto left_out = static_cast<std::size_t>(std::ranges::count_if(
-        map.entities, [](const auto& entity) { return !is_prefab(entity) && !gives_brushes(entity); }));
+    const auto left_out =
+        static_cast<std::size_t>(std::ranges::count_if(map.entities, [](const auto& entity) {
+          return !is_prefab(entity) && !gives_brushes(entity) && !stays_as_it_is(entity);
+        }));
     if (left_out != 0)
       warnings_.push_back({"entities of a prefab left out",
                            fmt::format("{}: {} of {} entities are neither world, group, detail nor prefab",
@@ -231,6 +256,7 @@ class PrefabExpander {
   ReadMapText read_text_;
   Warnings& warnings_;
   std::map<fs::path, formats::Map> files_;
+  std::vector<formats::MapEntity> vis_blockers_;  // one for each use of a prefab that has any
   std::vector<fs::path> chain_;  // the map, and the prefabs within one another that are being taken in
   std::size_t prefabs_ = 0, sides_ = 0;
   std::uint32_t line_ = 0;  // of the entity in the map
@@ -243,6 +269,7 @@ base::Result<formats::Map> expand_prefabs(formats::Map map, const fs::path& map_
   PrefabExpander expander(map_path, read_text, io_warnings);
   for (std::size_t i = 0; i < map.entities.size(); ++i)
     if (is_prefab(map.entities[i])) TRY_STATUS(expander.expand(map.entities[i], i));
+  std::ranges::move(expander.take_vis_blockers(), std::back_inserter(map.entities));
   return map;
 }
 

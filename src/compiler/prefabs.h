@@ -29,7 +29,8 @@ using ReadMapText = base::FunctionRef<base::Result<std::string>(const std::files
 //   _external_map_scale      or _scale: one number, or three; negative ones mirror
 //   origin                   where the prefab's own origin comes to lie: after scaling, then turning
 // Its other keys stay. Taken from the file are the brushes of worldspawn, func_group, func_detail and its
-// kinds, and of prefabs that it names in turn; that it has other entities is a warning. Textures stay where
+// kinds, and of prefabs that it names in turn; those of func_illusionary_visblocker become one behind the
+// map's entities. That it has other entities is a warning. Textures stay where
 // they were on the brushes. Lines of what came from a prefab are that of the entity in `map`.
 //
 // Errors name the entity and the line; in a prefab also its file; for files that name each other in a circle,

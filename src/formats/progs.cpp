@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 60;
 constexpr std::size_t kStatementBytes = 8, kDefinitionBytes = 8, kFunctionBytes = 36, kWordBytes = 4;
+constexpr std::size_t kMaxNameChars = 1024;
 constexpr std::uint16_t kSavedBit = 0x8000;
 constexpr std::uint16_t kLastType = static_cast<std::uint16_t>(ProgsType::kPointer);
 
@@ -75,6 +76,22 @@ base::Result<std::vector<std::uint32_t>> read_words(base::Bytes bytes, const Sec
   return words;
 }
 
+// The name that begins at `offset`. That it ends soon keeps files from being slow to read.
+base::Result<std::string_view> name_at(std::string_view strings, std::uint32_t offset) {
+  if (offset >= strings.size())
+    return base::malformed("its name or file lies at character {} of {}", offset, strings.size());
+  const std::string_view rest = strings.substr(offset, kMaxNameChars + 1);
+  const std::size_t end = rest.find('\0');
+  if (end == std::string_view::npos)
+    return base::error(base::ErrorCode::kTooLarge, "its name or file has more than {} characters",
+                       kMaxNameChars);
+  return rest.substr(0, end);
+}
+
+base::Error in_entry(std::string_view what, std::size_t number, const base::Error& error) {
+  return base::error(error.code, "{} {}: {}", what, number, error.what);
+}
+
 base::Result<std::vector<ProgsStatement>> read_statements(base::Bytes bytes, const Section& section) {
   if (section.count == 0) return base::malformed("no statements");
   TRY(base::ByteReader reader, open_section(bytes, section, kStatementBytes, "statements"));
@@ -97,44 +114,48 @@ base::Result<std::vector<ProgsDefinition>> read_definitions(base::Bytes bytes, c
     const std::uint16_t type = reader.u16();
     definition.offset = reader.u16();
     definition.name = reader.u32();
-    if (definition.name >= strings.size())
-      return base::malformed("{} {}: its name lies past the strings", what, i);
-    const std::string name = base::quotable(strings.data() + definition.name);
+    const auto name = name_at(strings, definition.name);
+    if (!name.ok()) return in_entry(what, i, name.error());
     if (const std::uint16_t number = type & ~kSavedBit; number > kLastType)
-      return base::malformed("{} {} (\"{}\"): type {}, the last known is {}", what, i, name, number,
-                             kLastType);
+      return base::malformed("{} {} (\"{}\"): type {}, the last known is {}", what, i, base::quotable(*name),
+                             number, kLastType);
     definition.type = static_cast<ProgsType>(type & ~kSavedBit);
     definition.is_saved = (type & kSavedBit) != 0;
     if (definition.offset + words_of(definition.type) > words)
-      return base::malformed("{} {} (\"{}\"): it lies at word {} of {}", what, i, name, definition.offset,
-                             words);
+      return base::malformed("{} {} (\"{}\"): it lies at word {} of {}", what, i, base::quotable(*name),
+                             definition.offset, words);
   }
   return definitions;
 }
 
 // Of a function that has statements: where it begins, its locals and its parameters.
-base::Status check_body(const ProgsFunction& function, std::size_t number, const Progs& progs) {
-  const std::string name = base::quotable(progs.string_at(function.name));
+base::Status check_body(const ProgsFunction& function, const Progs& progs) {
   const auto first = static_cast<std::size_t>(function.first_statement);
   if (first >= progs.statements.size())
-    return base::malformed("function {} (\"{}\"): it begins at statement {} of {}", number, name, first,
-                           progs.statements.size());
+    return base::malformed("it begins at statement {} of {}", first, progs.statements.size());
   if (function.parameter_count > kMaxParameters)
-    return base::malformed("function {} (\"{}\"): {} parameters, the most are {}", number, name,
-                           function.parameter_count, kMaxParameters);
+    return base::malformed("{} parameters, the most are {}", function.parameter_count, kMaxParameters);
   std::uint64_t parameter_words = 0;
   for (std::int32_t i = 0; i < function.parameter_count; ++i) {
     const std::uint8_t words = function.parameter_words[static_cast<std::size_t>(i)];
-    if (words > 3)
-      return base::malformed("function {} (\"{}\"): parameter {} has {} words, the most are 3", number, name,
-                             i, words);
+    if (words > 3) return base::malformed("parameter {} has {} words, the most are 3", i, words);
     parameter_words += words;
   }
   const std::uint64_t words = std::max<std::uint64_t>(function.local_count, parameter_words);
   if (function.first_local + words > progs.global_words.size())
-    return base::malformed("function {} (\"{}\"): its {} locals lie at global word {} of {}", number, name,
-                           words, function.first_local, progs.global_words.size());
+    return base::malformed("its {} locals lie at global word {} of {}", words, function.first_local,
+                           progs.global_words.size());
   return base::Ok{};
+}
+
+base::Status check_function(const ProgsFunction& function, const Progs& progs) {
+  TRY(const std::string_view name, name_at(progs.strings, function.name));
+  TRY_STATUS(name_at(progs.strings, function.file));
+  if (function.first_statement <= 0) return base::Ok{};
+  base::Status status = check_body(function, progs);
+  if (!status.ok())
+    return base::error(status.error().code, "\"{}\": {}", base::quotable(name), status.error().what);
+  return status;
 }
 
 base::Result<std::vector<ProgsFunction>> read_functions(base::Bytes bytes, const Section& section,
@@ -152,9 +173,8 @@ base::Result<std::vector<ProgsFunction>> read_functions(base::Bytes bytes, const
     function.file = reader.u32();
     function.parameter_count = reader.i32();
     for (std::uint8_t& words : function.parameter_words) words = reader.u8();
-    if (function.name >= progs.strings.size() || function.file >= progs.strings.size())
-      return base::malformed("function {}: its name or file lies past the strings", i);
-    if (function.first_statement > 0) TRY_STATUS(check_body(function, i, progs));
+    if (const auto status = check_function(function, progs); !status.ok())
+      return in_entry("function", i, status.error());
   }
   return functions;
 }

@@ -77,10 +77,10 @@ constexpr std::uint32_t words_of(ProgsType type) {
 }
 
 // Of a Progs that was read: at least one statement, function and the 28 reserved global words; every name and
-// file is a string of `strings`, which begins and ends with a zero; definitions and locals lie inside the
-// globals or the entity; functions that have statements begin inside them and take at most 8 parameters.
-// kUnsupported for other versions (7 and up: fteqcc's own), with what to do about it. Operations and operands
-// of statements are anything.
+// file is a string of `strings`, at most 1024 characters long; these begin and end with a zero; definitions
+// and locals lie inside the globals or the entity; functions that have statements begin inside them and take
+// at most 8 parameters. kUnsupported for other versions (7 and up: fteqcc's own), with what to do about it.
+// Operations and operands of statements are anything.
 base::Result<Progs> read_progs(base::Bytes bytes);
 
 // CHECKs nothing: what is written is what is there.

@@ -12,8 +12,9 @@ namespace temblor::vm {
 // kPastEnd, which stands behind the last statement, come the pairs.
 #define TEMBLOR_VM_OPERATIONS(X)                                                                             \
   X(MulF)                                                                                                    \
-  X(MulV) X(MulFV) X(MulVF) X(DivF) X(AddF) X(AddV) X(SubF) X(SubV) X(EqF) X(EqV) X(EqS) X(EqWord) X(NeF)    \
-      X(NeV) X(NeS) X(NeWord) X(Le) X(Ge) X(Lt) X(Gt) X(LoadWord) X(LoadVector) X(Address) X(StoreWord)      \
+  X(MulV)                                                                                                    \
+  X(MulFV) X(MulVF) X(DivF) X(AddF) X(AddV) X(SubF) X(SubV) X(EqF) X(EqV) X(EqS) X(EqWord) X(NeF) X(NeV)     \
+      X(NeS) X(NeWord) X(Le) X(Ge) X(Lt) X(Gt) X(LoadWord) X(LoadVector) X(Address) X(StoreWord)             \
           X(StoreVector) X(StorePWord) X(StorePVector) X(Return) X(NotF) X(NotV) X(NotS) X(NotWord) X(If)    \
               X(IfNot) X(Call) X(State) X(Goto) X(And) X(Or) X(BitAnd) X(BitOr) X(PastEnd) X(EqFIfNot)       \
                   X(EqWordIfNot) X(NeFIfNot) X(NeWordIfNot) X(LeIfNot) X(GeIfNot) X(LtIfNot) X(GtIfNot)      \

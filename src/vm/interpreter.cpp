@@ -19,6 +19,8 @@ namespace temblor::vm {
 namespace {
 
 constexpr std::uint32_t kVectorWords = 3;
+// As many as are compared in about the time of an instruction.
+constexpr std::size_t kCharactersPerInstruction = 32;
 
 inline float as_float(std::uint32_t word) {
   return std::bit_cast<float>(word);
@@ -244,7 +246,9 @@ on_EqS:
 on_NeS : {
   const StringIndex left{A}, right{B};
   if (!strings_.contains(left) || !strings_.contains(right)) FAIL(fail_string(at, A, B));
-  const int order = left == right ? 0 : strings_.text(left).compare(strings_.text(right));
+  const std::string_view left_text = strings_.text(left), right_text = strings_.text(right);
+  const int order = left_text.compare(right_text);
+  budget -= static_cast<std::int64_t>((left_text.size() + right_text.size()) / kCharactersPerInstruction);
   if (at->alone == Operation::kEqS)
     C = truth(order == 0);
   else
@@ -253,7 +257,7 @@ on_NeS : {
 }
 on_NotS : {
   if (!strings_.contains(StringIndex{A})) FAIL(fail_string(at, A, A));
-  C = truth(strings_.text(StringIndex{A}).empty());
+  C = truth(strings_.is_empty(StringIndex{A}));
   NEXT();
 }
 
@@ -356,6 +360,7 @@ on_Call : {
   const FunctionIndex function{index};
   if (program_->function(function).first_statement > 0) {
     if (!enter(function)) return fail(at, no_room_for(function));
+    budget = budget_;
     at = run_begin = frames_.back().at;
     DISPATCH();
   }

@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::uint32_t kNoBuiltin = std::numeric_limits<std::uint32_t>::max();
 
+// Words that are copied in about the time of an instruction.
+constexpr std::uint32_t kWordsPerInstruction = 32;
+
 std::int64_t as_budget(std::uint64_t instructions) {
   constexpr std::uint64_t kMost = std::numeric_limits<std::int64_t>::max();
   return static_cast<std::int64_t>(std::min(instructions, kMost));
@@ -71,18 +74,15 @@ std::vector<TraceEntry> Machine::current_trace() const {
 std::string Machine::describe(std::span<const TraceEntry> trace) const {
   std::string lines;
   for (const TraceEntry& entry : trace)
-    lines += fmt::format("  {} ({}), statement {}\n", base::quotable(program_->name_of(entry.function)),
-                         base::quotable(program_->file_of(entry.function)), entry.statement);
+    lines += "  " + program_->describe_place(entry.function, entry.statement) + "\n";
   return lines;
 }
 
 base::Error Machine::located(base::Error error) {
   failure_trace_ = current_trace();
-  if (!failure_trace_.empty()) {
-    const TraceEntry& place = failure_trace_.front();
-    error.what += fmt::format("; in {} ({}), statement {}", base::quotable(program_->name_of(place.function)),
-                              base::quotable(program_->file_of(place.function)), place.statement);
-  }
+  if (!failure_trace_.empty())
+    error.what +=
+        "; in " + program_->describe_place(failure_trace_.front().function, failure_trace_.front().statement);
   failure_ = error;
   return error;
 }
@@ -143,6 +143,7 @@ bool Machine::enter(FunctionIndex index) {
   frames_.push_back({index, program_->instructions().data() + function.first_statement, saved_count_});
   saved_count_ = saved_end;
   ++counters_[base::to_size(index)].calls;
+  charge(function.local_count / kWordsPerInstruction);
   auto to = locals;
   for (std::int32_t i = 0; i < function.parameter_count; ++i)
     to = std::copy_n(std::as_const(*this).parameter_at(i),
@@ -176,6 +177,11 @@ base::Status Machine::run_builtin(FunctionIndex index) {
     return located(
         base::malformed("{}: parameter {} is no string", builtins_[slot].name, *bad_text_parameter_ + 1));
   return base::Ok{};
+}
+
+void Machine::charge(std::uint64_t instructions) {
+  // Far from the end of the numbers, so that more may be taken.
+  budget_ -= std::min(as_budget(instructions), std::max<std::int64_t>(budget_, 0) + 1);
 }
 
 base::Status Machine::set_entity_count(std::uint32_t count) {

@@ -25,10 +25,12 @@
 namespace temblor::vm {
 
 struct Limits {
-  int call_depth = 1024;                    // the original's: 32
-  std::size_t saved_words = 1 << 18;        // of all functions that wait for one they called; 2048
-  std::uint64_t instructions = 10'000'000;  // of one call from outside, with all that it calls; 100000
-  std::size_t string_bytes = 64 << 20;      // of strings made while running
+  int call_depth = 1024;              // the original's: 32
+  std::size_t saved_words = 1 << 18;  // of all functions that wait for one they called; 2048
+  // Of one call from outside, with all that it calls; 100000. A comparison of long strings, or a call of a
+  // function with many locals, counts as several.
+  std::uint64_t instructions = 10'000'000;
+  std::size_t string_bytes = 64 << 20;  // of strings made while running
   std::uint32_t entities = 32000;
   std::size_t entity_bytes = 256 << 20;  // of all of them
   int nested_calls = 32;                 // of built-in functions that call the machine that calls them
@@ -80,10 +82,13 @@ class Machine {
   base::Status call(FunctionIndex function);
   // Of the last call that failed.
   std::span<const TraceEntry> failure_trace() const { return failure_trace_; }
-  // "  FUNCTION (FILE), statement N": one line each.
+  // "  FUNCTION (FILE:LINE), statement N": one line each.
   std::string describe(std::span<const TraceEntry> trace) const;
   // From within a built-in function: who called it.
   std::vector<TraceEntry> current_trace() const;
+  // From within a built-in function that does more than a little work, which grows with what it is given: as
+  // many instructions as that is worth are taken from the call's budget.
+  void charge(std::uint64_t instructions);
   // traceon: every statement goes to `output` in words before it is run; null: none (again fast).
   void set_tracer(std::function<void(std::string_view line)> output) { tracer_ = std::move(output); }
 

@@ -17,13 +17,16 @@ const formats::ProgsDefinition* find_in(const std::map<std::string_view, std::si
 
 }  // namespace
 
-Program::Program(formats::Progs progs) : progs_(std::move(progs)) {
+Program::Program(formats::Progs progs, std::vector<std::uint32_t> lines)
+    : progs_(std::move(progs)), lines_(std::move(lines)) {
+  CHECK(lines_.empty() || lines_.size() == progs_.statements.size(), "{}", lines_.size());
   name_all();
   find_ends();
 }
 
-base::Result<std::shared_ptr<const Program>> Program::load(formats::Progs progs) {
-  std::shared_ptr<Program> program(new Program(std::move(progs)));
+base::Result<std::shared_ptr<const Program>> Program::load(formats::Progs progs,
+                                                           std::vector<std::uint32_t> lines) {
+  std::shared_ptr<Program> program(new Program(std::move(progs), std::move(lines)));
   TRY_STATUS(program->decode_all());
   return std::shared_ptr<const Program>(std::move(program));
 }
@@ -88,6 +91,13 @@ const formats::ProgsDefinition* Program::global_at(std::size_t word) const {
 FunctionIndex Program::find_function(std::string_view name) const {
   const auto found = functions_.find(name);
   return found == functions_.end() ? kNoFunction : base::to_index<FunctionIndex>(found->second);
+}
+
+std::string Program::describe_place(FunctionIndex index, std::size_t statement) const {
+  const std::string line =
+      statement < lines_.size() && lines_[statement] > 0 ? fmt::format(":{}", lines_[statement]) : "";
+  return fmt::format("{} ({}{}), statement {}", base::quotable(name_of(index)),
+                     base::quotable(file_of(index)), line, statement);
 }
 
 FunctionIndex Program::function_at(std::size_t statement) const {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -35,7 +36,9 @@ class Program {
 
   // `progs` as read_progs leaves it. Checks every statement: an operation that is not known, an operand past
   // the globals or a jump out of the function's statements is an error that names the function and statement.
-  static base::Result<std::shared_ptr<const Program>> load(formats::Progs progs);
+  // `lines` has the source's line for each statement, or is empty where they are not known.
+  static base::Result<std::shared_ptr<const Program>> load(formats::Progs progs,
+                                                           std::vector<std::uint32_t> lines = {});
 
   const formats::Progs& progs() const { return progs_; }
   // One for each statement, and kPastEnd behind them.
@@ -57,17 +60,20 @@ class Program {
   std::size_t end_of(FunctionIndex index) const { return ends_[base::to_size(index)]; }
   std::string_view name_of(FunctionIndex index) const { return progs_.string_at(function(index).name); }
   std::string_view file_of(FunctionIndex index) const { return progs_.string_at(function(index).file); }
+  // For people: "main (world.qc:123), statement 4567"; without the line where it is not known.
+  std::string describe_place(FunctionIndex index, std::size_t statement) const;
 
  private:
   using Names = std::map<std::string_view, std::size_t, std::less<>>;
 
-  explicit Program(formats::Progs progs);
+  Program(formats::Progs progs, std::vector<std::uint32_t> lines);
   base::Status decode_all();
   // Places of what has names: they point into progs_.
   void name_all();
   void find_ends();
 
   formats::Progs progs_;
+  std::vector<std::uint32_t> lines_;  // of statements, or empty
   std::vector<Instruction> instructions_;
   std::vector<std::pair<std::size_t, FunctionIndex>> starts_;  // sorted: first statement, function
   std::vector<std::size_t> ends_;                              // by function

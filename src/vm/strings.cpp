@@ -38,6 +38,11 @@ std::string_view Strings::text(StringIndex index) const {
   return slot != nullptr ? std::string_view(*slot->text) : std::string_view();
 }
 
+bool Strings::is_empty(StringIndex index) const {
+  if (base::to_size(index) < program_.size()) return program_[base::to_size(index)] == '\0';
+  return slot_of(index) == nullptr;  // what is made is never empty
+}
+
 base::Result<StringIndex> Strings::make(std::string_view text) {
   text = text.substr(0, text.find('\0'));
   if (text.empty()) return kEmptyString;

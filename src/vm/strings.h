@@ -26,6 +26,8 @@ class Strings {
   bool contains(StringIndex index) const;
   // Nothing for what is no string. Valid until the string goes.
   std::string_view text(StringIndex index) const;
+  // Also for what is no string.
+  bool is_empty(StringIndex index) const;
 
   // Up to the first zero; the empty string is always kEmptyString. kTooLarge over the limit.
   base::Result<StringIndex> make(std::string_view text);

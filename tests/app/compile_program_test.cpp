@@ -2,12 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <thread>
+#include <utility>
 
 #include "app/child_process.h"
 #include "app/program.h"
@@ -83,11 +85,12 @@ TEST_F(CompileProgram, StagesCanBeLeftOut) {
 
 TEST_F(CompileProgram, LeakIsToldAndItsWayIsWritten) {
   const std::string walls = walls_text({-128, -128, 0}, {128, 128, 128}, "wall");
-  folder_.write("leak.map", entity_text("worldspawn", "", walls.substr(walls.find("}\n") + 2)) +
-                                point_text("info_player_start", {0, 0, 32}));
+  const std::string world = entity_text("worldspawn", "", walls.substr(walls.find("}\n") + 2));
+  folder_.write("leak.map", world + point_text("info_player_start", {0, 0, 32}));
   const ProgramRun run = run_program(folder_.path(), {"compile", "leak.map"});
   EXPECT_EQ(run.exit_status, 0);
-  EXPECT_THAT(run.err, HasSubstr("info_player_start"));
+  EXPECT_THAT(run.err, HasSubstr(fmt::format("entity 1 (info_player_start) at 0 0 32, line {} of the map",
+                                             1 + std::count(world.begin(), world.end(), '\n'))));
   EXPECT_THAT(run.err, HasSubstr("leak.pts"));
   EXPECT_THAT(read_text(folder_.path() / "leak.pts"), HasSubstr("0.00 0.00 32.00\n"));
   EXPECT_THAT(run.err, HasSubstr("leak.leak.png"));
@@ -185,6 +188,58 @@ TEST_F(CompileProgram, ShardsMakeTheSameLevel) {
     EXPECT_THAT(file.path().filename().string(), Not(HasSubstr("-of-")));
 }
 
+// Rows of pillars, each a little out of line: slow to work out what is seen between them.
+std::string hall_of_pillars(int side) {
+  const double width = side * 64;
+  std::string brushes = walls_text({0, 0, 0}, {width, width, 128}, "wall");
+  std::mt19937 random(1);
+  const auto shift = [&] { return static_cast<double>(random() % 16); };
+  for (int i = 0; i < side * side; ++i) {
+    const math::Vec3d at(i % side * 64 + 16 + shift(), i / side * 64 + 16 + shift(), 0);
+    brushes += box_text(at, at + math::Vec3d(16, 16, 128), "pillar");
+  }
+  return entity_text("worldspawn", "", brushes) + point_text("info_player_start", {8, 8, 40});
+}
+
+TEST_F(CompileProgram, MergeTakesFilesOfSharesAlone) {
+  folder_.write("room.map", lit_room());
+  const std::vector<std::string> others = {"room.light-copy",    "room.light-1-of-2.old", "room.light-0-of-2",
+                                           "room.light-3-of-2",  "room.light-01-of-1",    "room.light-1-of-",
+                                           "room.lights-1-of-1", "my.room.light-1-of-1"};
+  for (const std::string& name : others) folder_.write(name, "no share of light");
+  const ProgramRun none = run_program(folder_.path(), {"compile", "room.map", "--only", "light", "--merge"});
+  EXPECT_EQ(none.exit_status, 1);
+  EXPECT_THAT(none.err, HasSubstr("no shards to merge"));
+  for (const Words& words : {Words{"--shard", "1/1"}, Words{"--merge"}}) {
+    Words all{"compile", "room.map", "--only", "light"};
+    all.insert(all.end(), words.begin(), words.end());
+    const ProgramRun run = run_program(folder_.path(), all);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+  }
+  for (const std::string& name : others)
+    EXPECT_EQ(read_text(folder_.path() / name), "no share of light") << name;
+}
+
+// What is wrong is not the command line.
+TEST_F(CompileProgram, SharesThatDoNotBelongTogetherAreAFaultOfTheirFiles) {
+  folder_.write("room.map", lit_room());
+  const auto run = [&](const char* stage, const Words& words) {
+    Words all{"compile", "room.map", "--only", stage};
+    all.insert(all.end(), words.begin(), words.end());
+    return run_program(folder_.path(), all);
+  };
+  for (const char* stage : {"vis", "light"}) ASSERT_EQ(run(stage, {"--shard", "1/2"}).exit_status, 0);
+  const std::string more_light = entity_text("light", "\"origin\" \"0 0 64\"");
+  for (const auto& [stage, map] :
+       {std::pair{"vis", hall_of_pillars(2)}, {"light", lit_room() + more_light}}) {
+    folder_.write("room.map", map);
+    const ProgramRun merged = run(stage, {"--merge"});
+    EXPECT_EQ(merged.exit_status, 1) << merged.err;
+    EXPECT_THAT(merged.err, HasSubstr(fmt::format("room.{}-*", stage)));
+    EXPECT_THAT(merged.err, Not(HasSubstr("--help")));
+  }
+}
+
 TEST_F(CompileProgram, WatchCompilesWhatIsSaved) {
   folder_.write("room.map", lit_room());
   auto program = app::ChildProcess::start(
@@ -220,19 +275,6 @@ TEST_F(CompileProgram, WatchMakesEverythingAnewWhenAsked) {
   const std::string log = read_text(folder_.path() / "log");
   EXPECT_THAT(log, ContainsRegex("room.bsp:.*\n(.*\n)*room.bsp:")) << "two runs";
   EXPECT_THAT(log, Not(HasSubstr("unchanged")));
-}
-
-// Rows of pillars, each a little out of line: slow to work out what is seen between them.
-std::string hall_of_pillars(int side) {
-  const double width = side * 64;
-  std::string brushes = walls_text({0, 0, 0}, {width, width, 128}, "wall");
-  std::mt19937 random(1);
-  const auto shift = [&] { return static_cast<double>(random() % 16); };
-  for (int i = 0; i < side * side; ++i) {
-    const math::Vec3d at(i % side * 64 + 16 + shift(), i / side * 64 + 16 + shift(), 0);
-    brushes += box_text(at, at + math::Vec3d(16, 16, 128), "pillar");
-  }
-  return entity_text("worldspawn", "", brushes) + point_text("info_player_start", {8, 8, 40});
 }
 
 TEST_F(CompileProgram, StoppedVisibilityGoesOn) {
@@ -284,12 +326,19 @@ TEST_F(CompileProgram, ScriptForGnuParallelMakesTheSameLevel) {
   if (std::system("command -v parallel >/dev/null") != 0) GTEST_SKIP() << "GNU parallel is not installed";
   folder_.write("room.map", lit_room());
   ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "whole.bsp"}).exit_status, 0);
-  const std::string command =
-      fmt::format("cd '{}' && TEMBLOR='{}' '{}/compile_with_parallel.sh' 2 room.map >log 2>&1",
-                  folder_.path().string(), TEMBLOR_PROGRAM, TEMBLOR_DOCS);
-  ASSERT_EQ(std::system(command.c_str()), 0) << read_text(folder_.path() / "log");
-  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), read_text(folder_.path() / "whole.bsp"));
-  EXPECT_EQ(read_text(folder_.path() / "room.lit"), read_text(folder_.path() / "whole.lit"));
+  std::filesystem::create_directory(folder_.path() / "my programs");
+  std::filesystem::create_symlink(TEMBLOR_PROGRAM, folder_.path() / "my programs/temblor 1");
+  for (const char* program :
+       {TEMBLOR_PROGRAM, "./my programs/temblor 1", TEMBLOR_PROGRAM " --set r_mip_rule=stock"}) {
+    const std::string command =
+        fmt::format("cd '{}' && TEMBLOR='{}' '{}/compile_with_parallel.sh' 2 room.map >log 2>&1",
+                    folder_.path().string(), program, TEMBLOR_DOCS);
+    ASSERT_EQ(std::system(command.c_str()), 0) << program << read_text(folder_.path() / "log");
+    EXPECT_EQ(read_text(folder_.path() / "room.bsp"), read_text(folder_.path() / "whole.bsp"));
+    EXPECT_EQ(read_text(folder_.path() / "room.lit"), read_text(folder_.path() / "whole.lit"));
+    for (const char* file : {"room.bsp", "room.lit", "room.build"})
+      std::filesystem::remove(folder_.path() / file);
+  }
 }
 
 TEST_F(CompileProgram, WhatIsWrongIsOneLine) {

@@ -1,10 +1,15 @@
 // Runs of `temblor compile` that go wrong, or are ended, on their way.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <chrono>
+#include <cstdlib>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "app/child_process.h"
 #include "app/program.h"
 #include "compiler/build_file.h"
 #include "compiler/build_visibility.h"
@@ -116,6 +121,28 @@ TEST_F(CompileSessionTest, StoppedVisibilityOfALevelGoesOn) {
   folder_.write("hall.visibility", build.visibility_state);
   ASSERT_EQ(compile(next_share).exit_status, 0);
   EXPECT_GE(read_text(path("hall.vis-1-of-9999")).size(), build.visibility_state.size());
+}
+
+// The level is a pipe, so that the first run is not over before somebody takes it.
+TEST_F(CompileSessionTest, WatchSeesWhatIsSavedDuringTheFirstRun) {
+  const auto part = [](const char* texture) {
+    return entity_text("worldspawn", "", box_text({32, 32, 0}, {64, 64, 64}, texture));
+  };
+  folder_.write("room.map", room() + entity_text("misc_external_map", "\"_external_map\" \"part.map\""));
+  folder_.write("part.map", part("sooner"));
+  ASSERT_EQ(mkfifo(path("room.bsp").c_str(), 0600), 0);
+  const auto program =
+      app::ChildProcess::start({TEMBLOR_PROGRAM, "compile", path("room.map").string(), "--watch", "--fast"});
+  ASSERT_TRUE(program.ok()) << program.error().message();
+  std::this_thread::sleep_for(std::chrono::milliseconds(1000));  // it has read by now
+  folder_.write("part.map", part("later"));
+  const auto next_level = [&]() -> std::string {
+    const std::string command =
+        "timeout 30 cat '" + path("room.bsp").string() + "' >'" + path("level").string() + "'";
+    return std::system(command.c_str()) == 0 ? read_text(path("level")) : "none came";
+  };
+  EXPECT_THAT(next_level(), HasSubstr("sooner"));
+  EXPECT_THAT(next_level(), HasSubstr("later"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "support/temporary_folder.h"
 
@@ -17,6 +18,10 @@ class FileWatchTest : public ::testing::Test {
     std::filesystem::last_write_time(path, start_ + std::chrono::seconds(seconds));
   }
   std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
+  template <typename... Paths>
+  void watch(const Paths&... files) {
+    watch_.add({app::stamp_of(files)...});
+  }
 
   TemporaryFolder folder_;
   std::filesystem::file_time_type start_ = std::filesystem::file_time_type::clock::now();
@@ -25,7 +30,7 @@ class FileWatchTest : public ::testing::Test {
 
 TEST_F(FileWatchTest, ChangeIsToldOnceWhenItStandsStill) {
   save("a", 0);
-  watch_.add({path("a")});
+  watch(path("a"));
   EXPECT_FALSE(watch_.has_changed());
   save("a", 10);
   EXPECT_FALSE(watch_.has_changed()) << "it may still be written";
@@ -38,7 +43,7 @@ TEST_F(FileWatchTest, ChangeIsToldOnceWhenItStandsStill) {
 TEST_F(FileWatchTest, ReplacedFileIsAChangeAndALostOneIsNot) {
   save("a", 0);
   save("b", 0);
-  watch_.add({path("a"), path("b")});
+  watch(path("a"), path("b"));
   std::filesystem::remove(path("a"));
   EXPECT_FALSE(watch_.has_changed());
   EXPECT_FALSE(watch_.has_changed());
@@ -53,9 +58,9 @@ TEST_F(FileWatchTest, ReplacedFileIsAChangeAndALostOneIsNot) {
 
 TEST_F(FileWatchTest, AddingAgainForgetsNothing) {
   save("a", 0);
-  watch_.add({path("a"), path("later")});
+  watch(path("a"), path("later"));
   save("a", 10);
-  watch_.add({path("a")});
+  watch(path("a"));
   EXPECT_FALSE(watch_.has_changed());
   EXPECT_TRUE(watch_.has_changed());
   save("later", 0);
@@ -63,10 +68,23 @@ TEST_F(FileWatchTest, AddingAgainForgetsNothing) {
   EXPECT_TRUE(watch_.has_changed());
 }
 
+TEST_F(FileWatchTest, ChangeBetweenTheStampAndTheWatchIsTold) {
+  save("a", 0);
+  const std::vector<app::FileStamp> before{app::stamp_of(path("a")), app::stamp_of(path("later"))};
+  save("a", 10);
+  watch_.add(before);
+  EXPECT_FALSE(watch_.has_changed());
+  EXPECT_TRUE(watch_.has_changed());
+  save("later", 0);
+  EXPECT_FALSE(watch_.has_changed());
+  EXPECT_TRUE(watch_.has_changed());
+  EXPECT_FALSE(watch_.has_changed());
+}
+
 TEST_F(FileWatchTest, FolderChangesWhenAFileComes) {
   std::filesystem::create_directory(path("art"));
   std::filesystem::last_write_time(path("art"), start_ - std::chrono::seconds(10));
-  watch_.add({path("art")});
+  watch(path("art"));
   EXPECT_FALSE(watch_.has_changed());
   folder_.write("art/brick.png", "brick");
   EXPECT_FALSE(watch_.has_changed());

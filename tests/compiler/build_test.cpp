@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -205,6 +206,45 @@ TEST(Build, LeakIsLookedForEachTime) {
   place.monster = {0, 0, 40};
   EXPECT_FALSE(bring_up_to_date(place, {}, build).leak);
   expect_same_level(build, make(place));
+}
+
+// A wall that seals the room for what is drawn and not for boxes: whether their hulls are filled follows from
+// where entities are, though none of them enters or leaves what is drawn as solid.
+std::string room_open_to_boxes(const Vec3d& start, int hulls) {
+  const std::string walls = walls_text({-128, -128, 0}, {128, 128, 128}, "wall");
+  const std::size_t first_end = walls.find("}\n") + 2;
+  return entity_text("worldspawn", "", walls.substr(first_end)) +
+         entity_text("func_group", fmt::format("\"_hulls\" \"{}\"", hulls), walls.substr(0, first_end)) +
+         point_text("info_player_start", start);
+}
+
+TEST(Build, HullsThatLackAWallAreFilledAsIfAnew) {
+  base::Jobs jobs(1, base::JobBackend::kStdThread);
+  compiler::CompileWatcher nobody;
+  compiler::Warnings warnings;
+  const auto compile = [&](const Vec3d& start, int hulls, Build& io_build) {
+    ASSERT_TRUE(compiler::compile_level(map_of(room_open_to_boxes(start, hulls)), {}, artgen::make_palette(),
+                                        {}, jobs, nobody, io_build, warnings)
+                    .ok());
+  };
+  std::mt19937 random(5);
+  const auto number = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
+  // Drawn only; and not in the hull of players, or of large monsters.
+  for (const int hulls : {1, 5, 3}) {
+    std::set<std::size_t> hull_sizes;
+    Build build;
+    for (int edit = 0; edit < effort(30, 8); ++edit) {
+      // In the middle of the room, or so near to a wall that a box does not fit there.
+      const Vec3d start(number(90), number(2) == 0 ? number(60) : 120, 60);
+      compile(start, hulls, build);
+      Build anew;
+      compile(start, hulls, anew);
+      hull_sizes.insert(anew.bsp.clipnodes.size());
+      expect_same_level(build, anew);
+      ASSERT_FALSE(testing::Test::HasFailure()) << "hulls " << hulls << ", edit " << edit;
+    }
+    EXPECT_GE(hull_sizes.size(), 2u) << "both filled hulls and open ones";
+  }
 }
 
 TEST(Build, MapWithoutWorldspawnInFrontIsRefusedEachTime) {

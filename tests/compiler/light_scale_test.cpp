@@ -122,9 +122,8 @@ TEST(LightScale, IsTheSameHoweverItIsMade) {
   compiler::Warnings warnings;
   std::vector<base::ByteVector> shards;
   for (std::uint32_t i = 0; i < 3; ++i)
-    shards.push_back(compiler::light_shard(bsp, keys, options, {i, 3}, jobs, [](std::size_t, std::size_t) {
-                       return true;
-                     }).value());
+    shards.push_back(
+        compiler::light_shard(bsp, keys, options, {i, 3}, {}, jobs, compiler::kNobodyWatches).value().bytes);
   formats::Bsp merged = bsp;
   ASSERT_TRUE(
       compiler::merge_light(merged, keys, options, {{shards[0], shards[1], shards[2]}}, jobs, warnings).ok());

@@ -1,6 +1,7 @@
 // Light shared out among processes.
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string>
 
 #include "compiler/light_level.h"
@@ -20,12 +21,22 @@ compiler::FaceKeys keys_of(const formats::Bsp& bsp) {
   return compiler::face_keys_of(bsp, formats::read_entities(bsp.entities).value());
 }
 
+// Goes on from `begun`, and stops after `steps`.
+compiler::LightShardBytes work_on_shard(const formats::Bsp& bsp, const compiler::LightShard& shard,
+                                        const compiler::LightOptions& options, base::Bytes begun, int steps,
+                                        int threads = 1) {
+  base::Jobs jobs(threads, base::JobBackend::kStdThread);
+  return compiler::light_shard(bsp, keys_of(bsp), options, shard, begun, jobs,
+                               [&](std::size_t, std::size_t) { return --steps > 0; })
+      .value();
+}
+
 base::ByteVector make_shard(const formats::Bsp& bsp, std::uint32_t index, std::uint32_t count,
                             const compiler::LightOptions& options = {}) {
-  base::Jobs jobs(1, base::JobBackend::kStdThread);
-  return compiler::light_shard(bsp, keys_of(bsp), options, {index, count}, jobs,
-                               [](std::size_t, std::size_t) { return true; })
-      .value();
+  constexpr int kAllSteps = 1 << 20;
+  const compiler::LightShardBytes made = work_on_shard(bsp, {index, count}, options, {}, kAllSteps);
+  EXPECT_TRUE(made.is_finished);
+  return made.bytes;
 }
 
 base::Result<compiler::LightSummary> merge(formats::Bsp& io_bsp, std::vector<base::Bytes> shards,
@@ -66,6 +77,40 @@ TEST(LightShards, MustBeAllOfOneLevelAndOneSetOfOptions) {
     EXPECT_EQ(bsp, unlit);
   }
   EXPECT_TRUE(merge(bsp, {first, second}).ok());
+}
+
+TEST(LightShards, StoppedTheyGoOnToTheSameBytes) {
+  const formats::Bsp unlit = room_with(kRoom);
+  std::mt19937 random(3);
+  for (int seed = 0; seed < effort(12, 3); ++seed) {
+    const compiler::LightShard shard{static_cast<std::uint32_t>(random() % 2), 2};
+    compiler::LightShardBytes made;
+    int stops = -1;
+    for (; !made.is_finished; ++stops) {
+      const int steps = 1 + static_cast<int>(random() % 3), threads = 1 + static_cast<int>(random() % 2);
+      formats::Bsp bsp = unlit;
+      EXPECT_FALSE(merge(bsp, {made.bytes, make_shard(unlit, 1 - shard.index, 2)}).ok());
+      EXPECT_EQ(bsp, unlit);
+      const base::ByteVector begun = made.bytes;
+      made = work_on_shard(unlit, shard, {}, begun, steps, threads);
+    }
+    EXPECT_GE(stops, 1);
+    EXPECT_EQ(made.bytes, make_shard(unlit, shard.index, 2)) << stops << " stops";
+    // What is finished takes no step more.
+    EXPECT_TRUE(work_on_shard(unlit, shard, {}, made.bytes, 0).is_finished);
+  }
+}
+
+TEST(LightShards, WhatWasSavedOfSomethingElseIsNotUsed) {
+  const formats::Bsp unlit = room_with(kRoom);
+  formats::Bsp other = unlit;
+  other.entities += "{ \"classname\" \"light\" \"origin\" \"20 20 20\" }";
+  const base::ByteVector whole = make_shard(unlit, 0, 2);
+  constexpr int kAllSteps = 1 << 20;
+  for (const base::ByteVector& begun :
+       {make_shard(other, 0, 2), make_shard(unlit, 1, 2), make_shard(unlit, 0, 3),
+        make_shard(unlit, 0, 2, {.extra = 2}), base::ByteVector(40, std::byte{7})})
+    EXPECT_EQ(work_on_shard(unlit, {0, 2}, {}, begun, kAllSteps).bytes, whole);
 }
 
 TEST(LightShards, CutShortTheyAreRefused) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "compiler/drafts.h"
 #include "formats/entities.h"
 #include "support/random.h"
@@ -91,9 +93,27 @@ TEST(MakeDraft, HoleInTheWallIsALeakWithAWay) {
   const DraftResult result = draft_of(text);
   ASSERT_TRUE(result.leak);
   EXPECT_EQ(result.leak->classname, "info_player_start");
+  EXPECT_EQ(result.leak->entity, 1u);
+  const std::size_t before_it = text.find("{\n\"classname\" \"info_player_start\"");
+  ASSERT_NE(before_it, std::string::npos);
+  EXPECT_EQ(result.leak->line, 1 + std::count(text.begin(), text.begin() + before_it, '\n'));
   EXPECT_EQ(result.leak->points_world.front(), Vec3d(0, 0, 32));
   EXPECT_LE(result.leak->points_world.back().x, -128) << "the wall of the least x is missing";
   EXPECT_EQ(fault_of(result), "");
+}
+
+TEST(MakeDraft, WithoutEntitiesTheOutsideIsDrawnAndThatIsSaid) {
+  const auto warnings_of = [](const std::string& text) {
+    compiler::Warnings warnings;
+    EXPECT_TRUE(try_draft_of(text, warnings).ok());
+    return warnings;
+  };
+  const auto is_about_places = [](const compiler::Warning& warning) {
+    return warning.kind == "no entity has a place";
+  };
+  const std::string bare = entity_text("worldspawn", "", walls_text(kRoomMins, kRoomMaxs, "wall"));
+  EXPECT_EQ(std::ranges::count_if(warnings_of(bare), is_about_places), 1);
+  EXPECT_EQ(std::ranges::count_if(warnings_of(room_text()), is_about_places), 0);
 }
 
 TEST(MakeDraft, BrushEntitiesAreModels) {

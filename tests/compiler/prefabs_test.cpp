@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <string>
+#include <vector>
 
 namespace temblor::compiler {
 namespace {
@@ -123,6 +125,30 @@ TEST(Prefabs, OtherEntitiesAreLeftOutWithAWarningForEachFile) {
   ASSERT_EQ(expanded.warnings.size(), 1u);
   EXPECT_EQ(expanded.warnings[0].what,
             "maps/p.map: 1 of 2 entities are neither world, group, detail nor prefab");
+}
+
+TEST(Prefabs, VisBlockersStayWhatTheyAre) {
+  const auto blocker = [](const std::string& distance) {
+    std::string text = one_side(distance);
+    return text.replace(text.find("worldspawn"), 10, "func_illusionary_visblocker");
+  };
+  const Files files{{"maps/p.map", one_side("8", blocker("16") + prefab("q.map"))},
+                    {"maps/q.map", one_side("32", blocker("64"))}};
+  const Expanded expanded = expand(
+      one_side("1") + prefab("p.map", "\"origin\" \"100 0 0\"\n\"_external_map_classname\" \"func_wall\"\n") +
+          "{\n\"classname\" \"light\"\n}\n",
+      files);
+  ASSERT_EQ(expanded.error(), "no error");
+  EXPECT_THAT(expanded.warnings, IsEmpty());
+  std::vector<std::string> seen;
+  for (const formats::MapEntity& entity : expanded.map->entities) {
+    seen.emplace_back(entity.fields.classname());
+    for (const formats::MapBrush& brush : entity.brushes)
+      seen.push_back(fmt::format("{}", brush.sides.at(0).points_world[0].x));
+  }
+  EXPECT_THAT(seen, ElementsAre("worldspawn", "1", "func_wall", "108", "132", "light",
+                                "func_illusionary_visblocker", "116", "164"));
+  EXPECT_EQ(expanded.map->entities.back().line, expanded.map->entities[1].line);
 }
 
 TEST(Prefabs, ErrorsNameTheEntityAndTheFile) {

@@ -235,18 +235,30 @@ std::vector<std::uint8_t> bouncing_styles(const BounceSettings& settings,
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> trace_bounces(const LitLevel& lit, const RayScene& scene,
-                                                        base::Jobs& io_jobs, base::FunctionRef<bool()> step) {
+BounceRays begin_bounces(const LitLevel& lit) {
   const BouncedWorld bounced = lay_nodes(lit);
-  std::vector<std::uint32_t> seen(bounced.face_of_node.size() * kRays, kNoNode);
+  BounceRays rays;
+  rays.begin_of_face.push_back(0);
+  for (const NodeGrid& grid : bounced.grids)
+    rays.begin_of_face.push_back(rays.begin_of_face.back() +
+                                 static_cast<std::size_t>(grid.columns * grid.rows) * kRays);
+  rays.seen.assign(rays.begin_of_face.back(), kNoNode);
+  rays.is_traced.assign(bounced.grids.size(), 0);
+  return rays;
+}
+
+bool trace_bounces(const LitLevel& lit, const RayScene& scene, std::span<const std::uint32_t> faces,
+                   base::Jobs& io_jobs, base::FunctionRef<bool()> step, BounceRays& io_rays) {
+  const BouncedWorld bounced = lay_nodes(lit);
   std::atomic<bool> stopped{false};
-  io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
-    if (stopped.load(std::memory_order_relaxed)) return;
-    if (bounced.grids[face].columns > 0) trace_face(lit, scene, bounced, face, seen);
+  io_jobs.parallel_for(faces.size(), [&](std::size_t i) {
+    const std::uint32_t face = faces[i];
+    if (io_rays.is_traced[face] != 0 || stopped.load(std::memory_order_relaxed)) return;
+    if (bounced.grids[face].columns > 0) trace_face(lit, scene, bounced, face, io_rays.seen);
+    io_rays.is_traced[face] = 1;
     if (!step()) stopped = true;
   });
-  if (stopped) return std::nullopt;
-  return seen;
+  return !stopped;
 }
 
 bool are_bounces_of(const LitLevel& lit, std::span<const std::uint32_t> seen) {

@@ -1,13 +1,16 @@
 // Layout, little-endian: "TLSH", u32 version, u64 level, u32 index, u32 count; then for each light map of the
-// shard in order: u16 layers, u8 1 when there is dirt; the dirt, a float a luxel; for each layer u8 style, u8
-// kind and three floats a luxel. Floats are kept to the last bit, so that merged light is that of one
-// process.
+// shard in order: u8 1 when it is lit, and then: u16 layers, u8 1 when there is dirt; the dirt, a float a
+// luxel; for each layer u8 style, u8 kind and three floats a luxel; then for each face of the shard, where
+// light bounces: u8 1 when it is traced, and then a u32 for each of its rays. Floats are kept to the last
+// bit, so that merged light is that of one process.
 #include "compiler/light/shard_file.h"
+
+#include <span>
 
 namespace temblor::compiler {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x48534c54, kVersion = 1;
+constexpr std::uint32_t kMagic = 0x48534c54, kVersion = 2;
 
 void write_layer(const LightLayer& layer, base::ByteWriter& io_writer) {
   io_writer.u8(layer.style);
@@ -44,39 +47,92 @@ base::Result<FaceLight> read_map(base::ByteReader& io_reader, std::size_t luxels
   return light;
 }
 
+base::Status read_rays(base::ByteReader& io_reader, std::span<std::uint32_t> out_seen) {
+  if (out_seen.size_bytes() > io_reader.remaining())
+    return base::malformed("light shard: ends within a face's rays at {}", io_reader.offset());
+  for (std::uint32_t& node : out_seen) node = io_reader.u32();
+  return base::Ok{};
+}
+
+std::span<std::uint32_t> rays_of(BounceRays& io_rays, std::size_t face) {
+  const std::size_t begin = io_rays.begin_of_face[face];
+  return std::span(io_rays.seen).subspan(begin, io_rays.begin_of_face[face + 1] - begin);
+}
+
+base::Result<ShardHeader> read_header(base::ByteReader& io_reader) {
+  const std::uint32_t magic = io_reader.u32(), version = io_reader.u32();
+  ShardHeader header;
+  header.level = io_reader.read<std::uint64_t>();
+  header.index = io_reader.u32();
+  header.count = io_reader.u32();
+  if (!io_reader.ok() || magic != kMagic) return base::malformed("not a light shard");
+  if (version != kVersion)
+    return base::error(base::ErrorCode::kUnsupported, "light shard of version {}, not {}", version, kVersion);
+  if (header.count == 0 || header.index >= header.count)
+    return base::malformed("light shard {} of {}", header.index, header.count);
+  return header;
+}
+
 }  // namespace
 
-base::ByteVector write_shard(const ShardHeader& header, const std::vector<FaceLight>& light) {
+LightWork begin_light(const LitLevel& lit, bool bounces) {
+  LightWork work;
+  work.light.resize(lit.maps.size());
+  work.is_lit.resize(lit.maps.size());
+  if (bounces) work.bounces = begin_bounces(lit);
+  return work;
+}
+
+std::vector<std::uint32_t> share_of(const ShardHeader& shard, std::size_t total) {
+  std::vector<std::uint32_t> share;
+  for (std::size_t i = shard.index; i < total; i += shard.count)
+    share.push_back(static_cast<std::uint32_t>(i));
+  return share;
+}
+
+base::ByteVector write_shard(const ShardHeader& header, const LightWork& work) {
   base::ByteWriter writer;
   writer.u32(kMagic);
   writer.u32(kVersion);
   writer.write(header.level);
   writer.u32(header.index);
   writer.u32(header.count);
-  for (std::size_t map = header.index; map < light.size(); map += header.count) {
-    writer.write(static_cast<std::uint16_t>(light[map].layers.size()));
-    writer.u8(light[map].dirt.empty() ? 0 : 1);
-    for (const float share : light[map].dirt) writer.f32(share);
-    for (const LightLayer& layer : light[map].layers) write_layer(layer, writer);
+  for (const std::uint32_t map : share_of(header, work.light.size())) {
+    writer.u8(work.is_lit[map]);
+    if (work.is_lit[map] == 0) continue;
+    const FaceLight& light = work.light[map];
+    writer.write(static_cast<std::uint16_t>(light.layers.size()));
+    writer.u8(light.dirt.empty() ? 0 : 1);
+    for (const float share : light.dirt) writer.f32(share);
+    for (const LightLayer& layer : light.layers) write_layer(layer, writer);
+  }
+  const BounceRays& rays = work.bounces;
+  for (const std::uint32_t face : share_of(header, rays.is_traced.size())) {
+    writer.u8(rays.is_traced[face]);
+    if (rays.is_traced[face] == 0) continue;
+    for (std::size_t i = rays.begin_of_face[face]; i < rays.begin_of_face[face + 1]; ++i)
+      writer.u32(rays.seen[i]);
   }
   return std::move(writer).take();
 }
 
-base::Result<Shard> read_shard(base::Bytes bytes, const std::vector<std::size_t>& luxels_of_map) {
+base::Result<ReadShard> read_shard(base::Bytes bytes, const std::vector<std::size_t>& luxels_of_map,
+                                   LightWork& io_work) {
   base::ByteReader reader(bytes);
-  const std::uint32_t magic = reader.u32(), version = reader.u32();
-  Shard shard;
-  shard.header.level = reader.read<std::uint64_t>();
-  shard.header.index = reader.u32();
-  shard.header.count = reader.u32();
-  if (!reader.ok() || magic != kMagic) return base::malformed("not a light shard");
-  if (version != kVersion)
-    return base::error(base::ErrorCode::kUnsupported, "light shard of version {}, not {}", version, kVersion);
-  if (shard.header.count == 0 || shard.header.index >= shard.header.count)
-    return base::malformed("light shard {} of {}", shard.header.index, shard.header.count);
-  for (std::size_t map = shard.header.index; map < luxels_of_map.size(); map += shard.header.count) {
-    TRY(FaceLight light, read_map(reader, luxels_of_map[map]));
-    shard.maps.emplace_back(static_cast<std::uint32_t>(map), std::move(light));
+  ReadShard shard;
+  shard.is_finished = true;
+  TRY(shard.header, read_header(reader));
+  for (const std::uint32_t map : share_of(shard.header, luxels_of_map.size())) {
+    io_work.is_lit[map] = reader.u8() != 0 ? 1 : 0;
+    shard.is_finished &= io_work.is_lit[map] != 0;
+    if (io_work.is_lit[map] == 0) continue;
+    TRY(io_work.light[map], read_map(reader, luxels_of_map[map]));
+  }
+  BounceRays& rays = io_work.bounces;
+  for (const std::uint32_t face : share_of(shard.header, rays.is_traced.size())) {
+    rays.is_traced[face] = reader.u8() != 0 ? 1 : 0;
+    shard.is_finished &= rays.is_traced[face] != 0;
+    if (rays.is_traced[face] != 0) TRY_STATUS(read_rays(reader, rays_of(rays, face)));
   }
   if (!reader.ok() || reader.remaining() > 0)
     return base::malformed("light shard: its light maps end at {} of {} bytes", reader.offset(),

@@ -1,14 +1,16 @@
-// The light of some of a level's light maps, saved by one of several processes that share the work.
+// What one of several processes that share the work has found out of a level's light, saved: to be joined, or
+// to go on from.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "base/bytes.h"
 #include "base/result.h"
+#include "compiler/light/bounce.h"
 #include "compiler/light/face_light.h"
+#include "compiler/light/lit_level.h"
 
 namespace temblor::compiler {
 
@@ -18,15 +20,27 @@ struct ShardHeader {
   bool operator==(const ShardHeader&) const = default;
 };
 
-// Light maps index, index + count, ... of `light`, which is by map (LitLevel::maps).
-base::ByteVector write_shard(const ShardHeader& header, const std::vector<FaceLight>& light);
-
-struct Shard {
-  ShardHeader header;
-  std::vector<std::pair<std::uint32_t, FaceLight>> maps;
+// How far a level's light is: what comes straight from lights, and the rays of what bounces.
+struct LightWork {
+  std::vector<FaceLight> light;      // by light map (LitLevel::maps)
+  std::vector<std::uint8_t> is_lit;  // by light map, 0 or 1
+  BounceRays bounces;                // of no face where no light bounces
 };
+LightWork begin_light(const LitLevel& lit, bool bounces);
 
-// Every map's layers have as many samples as `luxels_of_map` says. Errors name the offset.
-base::Result<Shard> read_shard(base::Bytes bytes, const std::vector<std::size_t>& luxels_of_map);
+// Of `total` maps or faces those that are a shard's: index, index + count, ...
+std::vector<std::uint32_t> share_of(const ShardHeader& shard, std::size_t total);
+
+// What is done of the shard's light maps and faces. The same bytes however often the work was stopped.
+base::ByteVector write_shard(const ShardHeader& header, const LightWork& work);
+
+struct ReadShard {
+  ShardHeader header;
+  bool is_finished = false;
+};
+// Adds a shard to `io_work`, which is of the level at hand; after an error that is in no certain state.
+// Errors name the offset.
+base::Result<ReadShard> read_shard(base::Bytes bytes, const std::vector<std::size_t>& luxels_of_map,
+                                   LightWork& io_work);
 
 }  // namespace temblor::compiler

@@ -6,29 +6,64 @@ namespace temblor::compiler::vis {
 
 namespace {
 
+// What decides most questions about a portal, in one line of cache: the portals of a wide hall do not fit
+// into it, and each asks about most others.
+struct Facing {
+  HalfSpace beyond;
+  math::Vec3d centre;
+  double radius;
+};
+
+struct Way {
+  std::uint32_t portal, to;
+};
+
+struct FlatGraph {
+  const PortalGraph& graph;
+  std::vector<Facing> facings;  // by portal
+  std::vector<Way> ways;        // as graph.out
+
+  std::span<const Way> out_of(std::size_t cluster) const {
+    return std::span(ways).subspan(graph.first_out[cluster],
+                                   graph.first_out[cluster + 1] - graph.first_out[cluster]);
+  }
+};
+
+FlatGraph flatten(const PortalGraph& graph) {
+  FlatGraph flat{graph, {}, {}};
+  for (const DirectedPortal& portal : graph.portals)
+    flat.facings.push_back({portal.beyond, portal.centre, portal.radius});
+  for (const std::uint32_t portal : graph.out) flat.ways.push_back({portal, graph.portals[portal].to});
+  return flat;
+}
+
 // Whether some of the portal's winding lies in the half-space.
-bool reaches_into(const DirectedPortal& portal, const HalfSpace& space) {
-  const double centre_above = space.above(portal.centre);
+bool reaches_into(const FlatGraph& flat, std::uint32_t portal, const HalfSpace& space) {
+  const Facing& facing = flat.facings[portal];
+  const double centre_above = space.above(facing.centre);
   if (centre_above > kEpsilon) return true;
-  if (centre_above < -portal.radius) return false;
-  return std::ranges::any_of(portal.winding.corners(),
+  if (centre_above < -facing.radius) return false;
+  return std::ranges::any_of(flat.graph.portals[portal].winding.corners(),
                              [&](const math::Vec3d& corner) { return space.above(corner) > kEpsilon; });
 }
 
-void flood(const PortalGraph& graph, std::size_t start, BitMatrix& io_matrix,
+void flood(const FlatGraph& flat, std::uint32_t start, BitMatrix& io_matrix,
            std::vector<std::uint32_t>& scratch_clusters) {
-  const DirectedPortal& source = graph.portals[start];
-  io_matrix.set(start, source.to);
-  scratch_clusters.assign(1, source.to);
+  const HalfSpace& beyond = flat.facings[start].beyond;
+  const auto seen = io_matrix.row(start);
+  const std::uint32_t first = flat.graph.portals[start].to;
+  set_bit(seen, first);
+  scratch_clusters.assign(1, first);
   while (!scratch_clusters.empty()) {
     const std::uint32_t cluster = scratch_clusters.back();
     scratch_clusters.pop_back();
-    for (const std::uint32_t index : graph.out_of(cluster)) {
-      const DirectedPortal& portal = graph.portals[index];
-      if (io_matrix.at(start, portal.to)) continue;
-      if (!reaches_into(portal, source.beyond) || !reaches_into(source, portal.beyond.flipped())) continue;
-      io_matrix.set(start, portal.to);
-      scratch_clusters.push_back(portal.to);
+    for (const Way& way : flat.out_of(cluster)) {
+      if (has_bit(seen, way.to)) continue;
+      if (!reaches_into(flat, way.portal, beyond) ||
+          !reaches_into(flat, start, flat.facings[way.portal].beyond.flipped()))
+        continue;
+      set_bit(seen, way.to);
+      scratch_clusters.push_back(way.to);
     }
   }
 }
@@ -37,11 +72,13 @@ void flood(const PortalGraph& graph, std::size_t start, BitMatrix& io_matrix,
 
 BitMatrix find_base_visibility(const PortalGraph& graph, base::Jobs& jobs) {
   BitMatrix matrix(graph.portals.size(), graph.cluster_count);
+  const FlatGraph flat = flatten(graph);
   constexpr std::size_t kBatch = 64;
   jobs.parallel_for((graph.portals.size() + kBatch - 1) / kBatch, [&](std::size_t batch) {
     std::vector<std::uint32_t> clusters;
     const std::size_t end = std::min((batch + 1) * kBatch, graph.portals.size());
-    for (std::size_t i = batch * kBatch; i < end; ++i) flood(graph, i, matrix, clusters);
+    for (std::size_t i = batch * kBatch; i < end; ++i)
+      flood(flat, static_cast<std::uint32_t>(i), matrix, clusters);
   });
   return matrix;
 }

@@ -1,0 +1,130 @@
+#include "client/connection.h"
+
+#include <fmt/format.h>
+
+namespace temblor::client {
+namespace {
+
+constexpr int kMovesLeftOut = 2;
+constexpr std::size_t kMaxCommandsKept = 1000;
+
+}  // namespace
+
+void Connection::connect(const platform::Address& server, double now_s) {
+  state_ = ClientState{};
+  reader_ = net::MessageReader{};
+  to_send_.clear();
+  lost_because_.clear();
+  answered_signon_ = 0;
+  endpoint_.connect(server, now_s);
+}
+
+void Connection::disconnect() {
+  if (is_connected()) lost_because_ = "disconnected";
+  endpoint_.disconnect();
+}
+
+void Connection::update(double now_s) {
+  endpoint_.update(now_s);
+  while (std::optional<net::ClientEvent> event = endpoint_.next_event(now_s)) {
+    if (const auto* packet = std::get_if<net::FromServer>(&*event)) {
+      if (const base::Status status = read(packet->bytes); !status.ok()) {
+        lost_because_ = status.error().message();
+        endpoint_.disconnect();
+        return;
+      }
+      if (!is_connected()) return;
+    } else if (const auto* lost = std::get_if<net::ConnectionLost>(&*event)) {
+      lost_because_ = lost->reason;
+    }
+  }
+  send_waiting();
+}
+
+base::Status Connection::read(base::Bytes packet) {
+  reader_.begin(packet);
+  bool has_time = false;
+  while (true) {
+    TRY(const std::optional<net::ServerMessage> message, reader_.next());
+    if (!message) break;
+    if (std::holds_alternative<net::Disconnect>(*message)) {
+      lost_because_ = "the server has ended the connection";
+      endpoint_.disconnect();
+      return base::Ok{};
+    }
+    if (const auto* info = std::get_if<net::ServerInfo>(&*message)) {
+      endpoint_.set_protocol(info->dialect.protocol);
+      answered_signon_ = 0;
+      moves_left_out_ = 0;
+    }
+    has_time |= std::holds_alternative<net::Time>(*message);
+    TRY_STATUS(state_.apply(*message));
+    if (std::holds_alternative<net::SignonNumber>(*message)) answer_signon();
+  }
+  state_.end_packet();
+  if (has_time) ++updates_;
+  run_stuffed_commands();
+  return base::Ok{};
+}
+
+void Connection::answer_signon() {
+  const int stage = state_.game().signon;
+  if (stage <= answered_signon_) return;
+  answered_signon_ = stage;
+  if (stage == 1) {
+    send_command("prespawn");
+  } else if (stage == 2) {
+    send_command(fmt::format("name \"{}\"\n", settings_.name));
+    send_command(fmt::format("color {} {}\n", settings_.shirt, settings_.pants));
+    send_command("spawn ");
+  } else if (stage == 3) {
+    send_command("begin");
+  }
+}
+
+void Connection::run_stuffed_commands() {
+  for (std::string& line : state_.events().commands) {
+    // What follows "reconnect" is another level, which comes by itself.
+    if (line.starts_with("reconnect")) continue;
+    if (line.starts_with("cmd "))
+      send_command(line.substr(4));
+    else if (commands_.size() < kMaxCommandsKept)
+      commands_.push_back(std::move(line));
+  }
+}
+
+void Connection::send_command(std::string_view line) {
+  to_send_.emplace_back(line);
+}
+
+void Connection::send_waiting() {
+  if (to_send_.empty() || !endpoint_.can_send_reliable()) return;
+  base::ByteWriter writer;
+  for (const std::string& line : to_send_) {
+    // A line that is too long to be said is not said.
+    const base::Status written =
+        net::write_client_message(net::StringCommand{line}, reader_.dialect().protocol, writer);
+    if (!written.ok()) continue;
+  }
+  to_send_.clear();
+  if (writer.size() == 0) return;
+  if (const base::Status sent = endpoint_.send_reliable(std::move(writer).take()); !sent.ok()) {
+    lost_because_ = sent.error().message();
+    endpoint_.disconnect();
+  }
+}
+
+void Connection::send_move(net::Move move) {
+  if (!is_playing()) return;
+  if (moves_left_out_ < kMovesLeftOut) {
+    ++moves_left_out_;
+    return;
+  }
+  move.time_s = static_cast<float>(state_.time_s());
+  base::ByteWriter writer;
+  if (!net::write_client_message(move, reader_.dialect().protocol, writer).ok()) return;
+  // One that does not get through is made good by the next.
+  if (!endpoint_.send_unreliable(std::move(writer).take()).ok()) return;
+}
+
+}  // namespace temblor::client

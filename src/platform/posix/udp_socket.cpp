@@ -1,0 +1,172 @@
+#include "platform/posix/udp_socket.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <utility>
+
+namespace temblor::platform::posix {
+namespace {
+
+// What waits between two ticks: 64 clients and their bursts, with room.
+constexpr int kReceiveBufferBytes = 1 << 20;
+constexpr std::size_t kMaxDatagramBytes = 65536;
+
+struct SystemAddress {
+  sockaddr_storage storage{};
+  socklen_t size = 0;
+
+  sockaddr* get() { return reinterpret_cast<sockaddr*>(&storage); }
+  const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&storage); }
+};
+
+SystemAddress to_system(const Address& address, int family) {
+  SystemAddress system;
+  if (family == AF_INET) {
+    sockaddr_in ip4{};
+    ip4.sin_family = AF_INET;
+    ip4.sin_port = htons(address.port);
+    std::memcpy(&ip4.sin_addr, address.host.data() + 12, 4);
+    std::memcpy(&system.storage, &ip4, sizeof(ip4));
+    system.size = sizeof(ip4);
+  } else {
+    sockaddr_in6 ip6{};
+    ip6.sin6_family = AF_INET6;
+    ip6.sin6_port = htons(address.port);
+    ip6.sin6_scope_id = address.scope;
+    std::memcpy(&ip6.sin6_addr, address.host.data(), 16);
+    std::memcpy(&system.storage, &ip6, sizeof(ip6));
+    system.size = sizeof(ip6);
+  }
+  return system;
+}
+
+Address from_system(const sockaddr_storage& storage) {
+  if (storage.ss_family == AF_INET) {
+    sockaddr_in ip4{};
+    std::memcpy(&ip4, &storage, sizeof(ip4));
+    std::array<std::uint8_t, 4> host{};
+    std::memcpy(host.data(), &ip4.sin_addr, host.size());
+    return ip4_address(host, ntohs(ip4.sin_port));
+  }
+  sockaddr_in6 ip6{};
+  std::memcpy(&ip6, &storage, sizeof(ip6));
+  Address address;
+  std::memcpy(address.host.data(), &ip6.sin6_addr, address.host.size());
+  address.port = ntohs(ip6.sin6_port);
+  address.scope = ip6.sin6_scope_id;
+  return address;
+}
+
+class UdpSocket final : public DatagramSocket {
+ public:
+  UdpSocket(int descriptor, int family) : descriptor_(descriptor), family_(family) {
+    buffer_.resize(kMaxDatagramBytes);
+  }
+  UdpSocket(const UdpSocket&) = delete;
+  UdpSocket& operator=(const UdpSocket&) = delete;
+  ~UdpSocket() override { close(descriptor_); }
+
+  void send(const Address& to, base::Bytes bytes) override {
+    if (family_ == AF_INET && !to.is_ip4()) return;
+    const SystemAddress system = to_system(to, family_);
+    while (sendto(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL, system.get(), system.size) < 0 &&
+           errno == EINTR) {
+    }
+  }
+
+  std::optional<Datagram> receive() override {
+    while (true) {
+      SystemAddress from;
+      from.size = sizeof(from.storage);
+      const ssize_t size = recvfrom(descriptor_, buffer_.data(), buffer_.size(), 0, from.get(), &from.size);
+      if (size >= 0)
+        return Datagram{from_system(from.storage),
+                        base::Bytes(buffer_).first(static_cast<std::size_t>(size))};
+      // Some systems report here that an earlier datagram found nobody: not this one's trouble.
+      if (errno != EINTR && errno != ECONNREFUSED) return std::nullopt;
+    }
+  }
+
+  Address local_address() const override {
+    SystemAddress system;
+    system.size = sizeof(system.storage);
+    if (getsockname(descriptor_, system.get(), &system.size) != 0) return {};
+    return from_system(system.storage);
+  }
+
+ private:
+  int descriptor_;
+  int family_;
+  base::ByteVector buffer_;
+};
+
+base::Error system_error(const Address& address, const char* doing) {
+  return base::error(base::ErrorCode::kIo, "UDP port {}: {}: {}", address.port, doing, std::strerror(errno));
+}
+
+base::Result<std::unique_ptr<DatagramSocket>> open_of_family(const Address& address, int family) {
+  const int descriptor = socket(family, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, IPPROTO_UDP);
+  if (descriptor < 0) return system_error(address, "cannot be opened");
+  auto opened = std::make_unique<UdpSocket>(descriptor, family);
+  const int off = 0;
+  if (family == AF_INET6) setsockopt(descriptor, IPPROTO_IPV6, IPV6_V6ONLY, &off, sizeof(off));
+  // A wish: the system may grant less.
+  setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &kReceiveBufferBytes, sizeof(kReceiveBufferBytes));
+  const SystemAddress system = to_system(address, family);
+  if (bind(descriptor, system.get(), system.size) != 0) return system_error(address, "cannot be had");
+  return std::unique_ptr<DatagramSocket>(std::move(opened));
+}
+
+struct FreeAddrInfo {
+  void operator()(addrinfo* list) const { freeaddrinfo(list); }
+};
+
+}  // namespace
+
+base::Result<std::unique_ptr<DatagramSocket>> open_udp_socket(const UdpOptions& options) {
+  if (!options.host.empty()) {
+    const std::optional<Address> address = parse_host(options.host, options.port);
+    if (!address)
+      return base::error(base::ErrorCode::kUsage, "'{}' is no host in numbers", std::string(options.host));
+    return open_of_family(*address, address->is_ip4() ? AF_INET : AF_INET6);
+  }
+  const Address everywhere{{}, options.port, 0};
+  auto both = open_of_family(everywhere, AF_INET6);
+  // A machine without IPv6. A port that is taken is so in both.
+  return both.ok() ? std::move(both) : open_of_family(everywhere, AF_INET);
+}
+
+base::Result<Address> look_up(std::string_view host_and_port, std::uint16_t default_port) {
+  TRY(const HostAndPort parts, split_host_and_port(host_and_port));
+  const std::uint16_t port = parts.port.value_or(default_port);
+  if (const auto address = parse_host(parts.host, port)) return *address;
+  addrinfo hints{};
+  hints.ai_socktype = SOCK_DGRAM;
+  addrinfo* first = nullptr;
+  const int failure = getaddrinfo(parts.host.c_str(), nullptr, &hints, &first);
+  const std::unique_ptr<addrinfo, FreeAddrInfo> list(first);
+  std::optional<Address> found;
+  for (const addrinfo* entry = failure == 0 ? first : nullptr; entry != nullptr; entry = entry->ai_next) {
+    if (entry->ai_family != AF_INET && entry->ai_family != AF_INET6) continue;
+    sockaddr_storage storage{};
+    std::memcpy(&storage, entry->ai_addr, std::min<std::size_t>(entry->ai_addrlen, sizeof(storage)));
+    if (!found || entry->ai_family == AF_INET) found = from_system(storage);
+    if (entry->ai_family == AF_INET) break;
+  }
+  if (!found)
+    return base::error(base::ErrorCode::kNotFound, "host '{}' is not found: {}", parts.host,
+                       failure == 0 ? "it has no address" : gai_strerror(failure));
+  found->port = port;
+  return *found;
+}
+
+}  // namespace temblor::platform::posix

@@ -1,0 +1,57 @@
+// What a server knows of one player's client.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <string>
+
+#include "base/bytes.h"
+#include "net/server_endpoint.h"
+#include "server/game.h"
+
+namespace temblor::server {
+
+enum class ClientStage {
+  kFree,
+  kTold,     // was told which level it is, and what files it needs; loads them
+  kLoaded,   // was told how the level begins
+  kSpawned,  // is in the game; was told of players and lights
+  kPlaying,  // sends moves, gets updates
+};
+
+// A reliable message that waits for its turn.
+struct WaitingMessage {
+  base::ByteVector bytes;
+  bool may_grow = false;  // what comes next may be put behind it
+};
+
+struct Client {
+  static constexpr const char* kNoName = "unconnected";
+
+  ClientStage stage = ClientStage::kFree;
+  net::ConnectionId connection{};
+  std::string address;
+  std::string name = kNoName;
+  std::uint8_t colors = 0;  // shirt << 4 | pants
+  SpawnParameters parameters{};
+  PlayerInput input{};
+  std::int16_t frags_told = 0;  // what clients know
+  double joined_at_s = 0;       // of the server's clock
+  std::deque<WaitingMessage> waiting;
+  std::size_t waiting_bytes = 0;
+  std::array<float, 16> pings_s{};  // the last ones, in turn
+  std::size_t ping_count = 0;
+  double command_credit = 0;  // text commands that it may still give at once
+  double credit_since_s = 0;
+  std::string doom;  // why it is to be dropped at the next chance; empty: it is not
+
+  bool is_free() const { return stage == ClientStage::kFree; }
+  bool is_in_game() const { return stage >= ClientStage::kSpawned; }
+
+  void add_ping(float ping_s) { pings_s[ping_count++ % pings_s.size()] = ping_s; }
+  // Mean of the last ones; 0 before the first.
+  float ping() const;
+};
+
+}  // namespace temblor::server

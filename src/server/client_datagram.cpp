@@ -1,0 +1,150 @@
+#include "server/client_datagram.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/ideal_pitch.h"
+
+namespace temblor::server {
+namespace {
+
+constexpr int kSwimmingLevel = 2;
+
+// Upper bits of items: what the mission packs added, or the runes of finished episodes.
+std::uint32_t items_of(Game& io_game, const Edict& edict) {
+  const auto items = static_cast<std::uint32_t>(edict.whole(field::kItems));
+  if (const auto items2 = io_game.items2_field())
+    return items | static_cast<std::uint32_t>(edict.whole(*items2)) << 23;
+  return items | static_cast<std::uint32_t>(io_game.server_flags()) << 28;
+}
+
+std::uint16_t number_of_model(Game& io_game, const Edict& edict) {
+  const std::string_view name = io_game.machine().text(edict[field::kWeaponModel]);
+  if (name.empty()) return 0;
+  const std::vector<ServerModel>& models = io_game.world().models;
+  for (std::size_t i = 1; i < models.size(); ++i)
+    if (models[i].name == name) return static_cast<std::uint16_t>(i);
+  return 0;
+}
+
+std::int16_t sent_i16(float value) {
+  return static_cast<std::int16_t>(std::isfinite(value) ? std::clamp(value, -32768.0f, 32767.0f) : 0.0f);
+}
+
+// Entities that this player sees, those that fit: all, or the nearest.
+void choose_seen(Game& io_game, std::size_t slot, const Snapshot& snapshot, std::size_t room,
+                 DatagramScratch& io_scratch, DatagramCounts& io_counts) {
+  const vm::EntityIndex own = Game::player_index(slot);
+  const math::Vec3 eye = io_game.player(slot)[field::kOrigin];
+  std::vector<std::uint32_t>& seen = io_scratch.seen;
+  seen.clear();
+  std::size_t bytes = 0;
+  for (std::uint32_t i = 0; i < snapshot.entities.size(); ++i) {
+    const Snapshot::Entity& entity = snapshot.entities[i];
+    const bool is_seen =
+        entity.index == own ||
+        (entity.shows_something && io_scratch.sight.sees(io_game.world().edicts.state(entity.index)));
+    if (!is_seen) continue;
+    seen.push_back(i);
+    bytes += entity.end - entity.begin;
+  }
+  if (bytes <= room) return;
+  // The player himself is nearest of all.
+  const auto distance_to_eye = [&](std::uint32_t i) {
+    const math::Vec3 away = snapshot.entities[i].origin - eye;
+    return snapshot.entities[i].index == own ? -1.0f : glm::dot(away, away);
+  };
+  std::stable_sort(seen.begin(), seen.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return distance_to_eye(a) < distance_to_eye(b); });
+  std::size_t kept = 0, kept_bytes = 0;
+  while (kept < seen.size()) {
+    const Snapshot::Entity& entity = snapshot.entities[seen[kept]];
+    if (kept_bytes + (entity.end - entity.begin) > room) break;
+    kept_bytes += entity.end - entity.begin;
+    ++kept;
+  }
+  io_counts.entities_left_out = seen.size() - kept;
+  seen.resize(kept);
+}
+
+// What happened within sight, then what everyone is told.
+void write_events(Game& io_game, std::size_t max_size, const Sight& sight, DatagramCounts& io_counts,
+                  base::ByteWriter& io_writer) {
+  const Outbox& outbox = io_game.outbox();
+  for (const Outbox::Placed& placed : outbox.placed()) {
+    if (placed.place && !sight.sees(*io_game.world().level, *placed.place)) continue;
+    const std::size_t size = placed.end - placed.begin;
+    if (io_writer.size() + size < max_size)
+      io_writer.bytes(outbox.placed_bytes().subspan(placed.begin, size));
+    else
+      io_counts.events_left_out = true;
+  }
+  const base::ByteVector& broadcast = io_game.outbox().broadcast().view();
+  if (io_writer.size() + broadcast.size() < max_size)
+    io_writer.bytes(broadcast);
+  else
+    io_counts.events_left_out = true;
+}
+
+}  // namespace
+
+void write_own_events(Game& io_game, std::size_t slot, base::ByteWriter& io_writer) {
+  const Edict edict = io_game.player(slot);
+  if (edict[field::kDamageTaken] != 0 || edict[field::kDamageSaved] != 0) {
+    const Edict inflictor = io_game.world().edicts.at(edict[field::kDamageInflictor]);
+    const math::Vec3 from =
+        inflictor[field::kOrigin] + (inflictor[field::kMins] + inflictor[field::kMaxs]) * 0.5f;
+    const net::Damage damage{.armor = sent_u8(edict[field::kDamageSaved]),
+                             .blood = sent_u8(edict[field::kDamageTaken]),
+                             .from = from};
+    io_game.outbox().write(damage, io_writer);
+    edict.set(field::kDamageTaken, 0.0f);
+    edict.set(field::kDamageSaved, 0.0f);
+  }
+  if (edict[field::kFixAngle] != 0) {
+    io_game.outbox().write(net::SetAngle{edict[field::kAngles]}, io_writer);
+    edict.set(field::kFixAngle, 0.0f);
+  }
+}
+
+net::ClientData client_data_of(Game& io_game, std::size_t slot) {
+  const Edict edict = io_game.player(slot);
+  return {.view_height = edict[field::kViewOffset].z,
+          .ideal_pitch_deg = edict[field::kIdealPitch],
+          .punch_deg = edict[field::kPunchAngle],
+          .velocity = edict[field::kVelocity],
+          .items = items_of(io_game, edict),
+          .on_ground = edict.has_flag(flag::kOnGround),
+          .in_water = edict[field::kWaterLevel] >= kSwimmingLevel,
+          .weapon_frame = sent_u16(edict[field::kWeaponFrame]),
+          .armor = sent_u16(edict[field::kArmorValue]),
+          .weapon_model = number_of_model(io_game, edict),
+          .health = sent_i16(edict[field::kHealth]),
+          .ammo = sent_u16(edict[field::kCurrentAmmo]),
+          .shells = sent_u16(edict[field::kAmmoShells]),
+          .nails = sent_u16(edict[field::kAmmoNails]),
+          .rockets = sent_u16(edict[field::kAmmoRockets]),
+          .cells = sent_u16(edict[field::kAmmoCells]),
+          .active_weapon = sent_u8(edict[field::kWeapon])};
+}
+
+DatagramCounts write_datagram(Game& io_game, std::size_t slot, const Snapshot& snapshot,
+                              std::size_t max_bytes, DatagramScratch& io_scratch,
+                              base::ByteWriter& io_writer) {
+  const std::size_t max_size = io_writer.size() + max_bytes;
+  const Edict edict = io_game.player(slot);
+  set_ideal_pitch(io_game.world(), edict.index());
+  io_scratch.sight.look(*io_game.world().level, edict[field::kOrigin] + edict[field::kViewOffset]);
+
+  DatagramCounts counts;
+  io_game.outbox().write(net::Time{static_cast<float>(io_game.time_s())}, io_writer);
+  write_own_events(io_game, slot, io_writer);
+  io_game.outbox().write(client_data_of(io_game, slot), io_writer);
+  const std::size_t room = max_size > io_writer.size() ? max_size - io_writer.size() : 0;
+  choose_seen(io_game, slot, snapshot, room, io_scratch, counts);
+  for (const std::uint32_t i : io_scratch.seen) io_writer.bytes(snapshot.update_of(snapshot.entities[i]));
+  write_events(io_game, max_size, io_scratch.sight, counts, io_writer);
+  return counts;
+}
+
+}  // namespace temblor::server

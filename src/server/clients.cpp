@@ -1,0 +1,101 @@
+#include "server/clients.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "net/message_writer.h"
+
+namespace temblor::server {
+
+float Client::ping() const {
+  const std::size_t count = std::min(ping_count, pings_s.size());
+  if (count == 0) return 0;
+  return std::accumulate(pings_s.begin(), pings_s.begin() + static_cast<std::ptrdiff_t>(count), 0.0f) /
+         static_cast<float>(count);
+}
+
+std::optional<std::size_t> Clients::slot_of(net::ConnectionId connection) const {
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot)
+    if (!clients_[slot].is_free() && clients_[slot].connection == connection) return slot;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> Clients::free_slot() const {
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot)
+    if (clients_[slot].is_free()) return slot;
+  return std::nullopt;
+}
+
+std::size_t Clients::connected() const {
+  return static_cast<std::size_t>(std::count_if(clients_.begin(), clients_.end(),
+                                                [](const Client& client) { return !client.is_free(); }));
+}
+
+void Clients::queue(std::size_t slot, base::Bytes bytes) {
+  Client& client = clients_[slot];
+  if (bytes.empty() || client.is_free()) return;
+  const bool joins = !client.waiting.empty() && client.waiting.back().may_grow &&
+                     client.waiting.back().bytes.size() + bytes.size() <= max_message_bytes_;
+  if (joins) {
+    base::ByteVector& last = client.waiting.back().bytes;
+    last.insert(last.end(), bytes.begin(), bytes.end());
+  } else {
+    client.waiting.push_back({base::ByteVector(bytes.begin(), bytes.end()), true});
+  }
+  client.waiting_bytes += bytes.size();
+  if (client.waiting_bytes > kMaxWaitingBytes || bytes.size() > max_message_bytes_)
+    client.doom = "more waits to be told than the connection takes";
+}
+
+void Clients::queue_alone(std::size_t slot, base::ByteVector message) {
+  Client& client = clients_[slot];
+  if (client.is_free()) return;
+  client.waiting_bytes += message.size();
+  client.waiting.push_back({std::move(message), false});
+}
+
+void Clients::tell(std::size_t slot, const net::ServerMessage& message) {
+  base::ByteWriter writer;
+  // What the dialect cannot say is not said.
+  if (net::write_message(message, dialect_, writer).ok()) queue(slot, writer.view());
+}
+
+void Clients::tell_everyone(const net::ServerMessage& message) {
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot) tell(slot, message);
+}
+
+void Clients::print(std::size_t slot, std::string_view text) {
+  tell(slot, net::Print{text});
+}
+void Clients::print_everyone(std::string_view text) {
+  tell_everyone(net::Print{text});
+}
+
+void Clients::set_dialect(const net::Dialect& dialect, std::size_t max_message_bytes) {
+  dialect_ = dialect;
+  max_message_bytes_ = max_message_bytes;
+}
+
+void Clients::send_waiting() {
+  for (Client& client : clients_) {
+    if (client.is_free() || client.waiting.empty() || !endpoint_.can_send_reliable(client.connection))
+      continue;
+    const WaitingMessage& next = client.waiting.front();
+    const base::Status sent = endpoint_.send_reliable(client.connection, next.bytes);
+    if (!sent.ok()) client.doom = sent.error().message();
+    client.waiting_bytes -= next.bytes.size();
+    client.waiting.pop_front();
+  }
+}
+
+void Clients::send_unreliable(std::size_t slot, base::Bytes bytes) {
+  const base::Status sent = endpoint_.send_unreliable(clients_[slot].connection, bytes);
+  if (!sent.ok()) clients_[slot].doom = sent.error().message();
+}
+
+void Clients::release(std::size_t slot, std::string_view reason) {
+  endpoint_.disconnect(clients_[slot].connection, reason);
+  clients_[slot] = Client{};
+}
+
+}  // namespace temblor::server

@@ -1,0 +1,97 @@
+#include "server/game_loader.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "base/hash.h"
+#include "formats/progs.h"
+#include "server/signon.h"
+#include "server/snapshot.h"
+
+namespace temblor::server {
+namespace {
+
+constexpr const char* kProgramName = "progs.dat";
+
+// What servers of today announce with 999.
+constexpr std::uint32_t kRmqFlags = net::kInt32Coord | net::kShortAngle;
+
+net::Dialect dialect_of(net::Protocol protocol) {
+  return {protocol, protocol == net::Protocol::kRmq ? kRmqFlags : 0};
+}
+
+base::Result<std::shared_ptr<const vm::Program>> make_program(base::Bytes bytes, const std::string& name) {
+  TRY(formats::Progs progs, formats::read_progs(bytes).with_file(name));
+  return vm::Program::load(std::move(progs)).with_file(name);
+}
+
+base::Result<std::shared_ptr<const vm::Program>> load_program(const vfs::FileSystem& files,
+                                                              const std::filesystem::path& file) {
+  if (!file.empty()) {
+    TRY(const base::ByteVector bytes, vfs::read_disk_file(file));
+    return make_program(bytes, file.string());
+  }
+  if (!files.contains(kProgramName))
+    return base::error(base::ErrorCode::kNotFound,
+                       "there is no {} in the game folders: without the game's code there is no game",
+                       kProgramName);
+  TRY(const base::ByteVector bytes, files.read(kProgramName));
+  return make_program(bytes, files.describe(kProgramName));
+}
+
+// What this dialect cannot say of the game; nothing when it can say all.
+std::optional<std::string> reason_against(Game& io_game) {
+  const net::Dialect& dialect = io_game.setup().dialect;
+  if (io_game.outbox().dropped() > 0)
+    return fmt::format("{} messages of the level's beginning cannot be said", io_game.outbox().dropped());
+  if (dialect.protocol == net::Protocol::kNetQuake &&
+      io_game.world().edicts.count() > kMaxEntitiesOfProtocol15)
+    return fmt::format("{} entities are more than {}", io_game.world().edicts.count(),
+                       kMaxEntitiesOfProtocol15);
+  const base::Result<base::ByteVector> message = level_message(io_game, 0);
+  if (!message.ok()) return message.error().what;
+  return std::nullopt;
+}
+
+}  // namespace
+
+base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVariables& settings,
+                                   const GameServices& services) {
+  TRY(const std::shared_ptr<const vm::Program> program,
+      load_program(services.library.files(), request.program_file));
+  TRY(assets::LoadedLevel loaded, assets::load_level(services.library.files(), request.map));
+  TRY(const base::ByteVector level_bytes,
+      services.library.files().read(fmt::format("maps/{}.bsp", request.map)));
+  LoadedGame result;
+  result.notes = std::move(loaded.notes);
+  constexpr std::array kOldestFirst = {net::Protocol::kNetQuake, net::Protocol::kFitzQuake,
+                                       net::Protocol::kRmq};
+  for (const net::Protocol protocol : kOldestFirst) {
+    const std::optional<net::Protocol> wanted = settings.protocol();
+    if (wanted && *wanted != protocol) continue;
+    TRY(result.game, Game::start({.program = program,
+                                  .level = loaded.level,
+                                  .level_hash = base::hash_of_bytes(level_bytes),
+                                  .map_name = request.map,
+                                  .dialect = dialect_of(protocol),
+                                  .max_clients = request.max_clients,
+                                  .kind = request.kind,
+                                  .skill = request.skill,
+                                  .server_flags = request.server_flags,
+                                  .seed = request.seed,
+                                  .tick_s = settings.tick_s(),
+                                  .settings = settings.physics()},
+                                 services));
+    const std::optional<std::string> reason = reason_against(*result.game);
+    if (!reason) break;
+    const bool is_last = wanted || protocol == kOldestFirst.back();
+    if (is_last)
+      result.notes.push_back(
+          fmt::format("protocol {} cannot say all of it: {}", static_cast<int>(protocol), *reason));
+  }
+  for (const std::string& note : result.game->spawn_report().notes) result.notes.push_back(note);
+  return result;
+}
+
+}  // namespace temblor::server

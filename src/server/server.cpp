@@ -1,0 +1,285 @@
+// Levels: how one begins, ends, and follows another; saved games.
+#include "server/server.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "server/host_commands.h"
+#include "server/player_commands.h"
+#include "server/save_game.h"
+#include "server/signon.h"
+
+namespace temblor::server {
+namespace {
+
+// A program that fails again so soon after a level began will fail for ever.
+constexpr double kSoon_s = 10;
+
+std::string with_newline(std::string_view line) {
+  return std::string(line) + "\n";
+}
+
+net::ServerEndpointSettings wire_settings(const ServerSetup& setup) {
+  net::ServerEndpointSettings settings = setup.wire;
+  settings.max_connections = setup.max_clients;
+  settings.timeout_s = setup.settings.timeout_s();
+  return settings;
+}
+
+}  // namespace
+
+Server::Server(ServerSetup setup)
+    : setup_(std::move(setup)),
+      console_(setup_.settings.variables(), [this](std::string_view line) { print(with_newline(line)); }),
+      endpoint_(std::move(setup_.sockets), wire_settings(setup_), [this] { return description(); }),
+      clients_(endpoint_, setup_.max_clients),
+      inputs_(setup_.max_clients) {
+  add_host_commands(*this);
+}
+
+GameServices Server::services() {
+  return {.library = setup_.library,
+          .io_variables = setup_.settings.variables(),
+          .print = setup_.print,
+          .data_folder = setup_.write_folder.empty() ? "" : setup_.write_folder / "data",
+          .client_command = [this](vm::EntityIndex player, std::string_view line) {
+            // A command that is not there was already answered.
+            if (const std::size_t slot = base::to_size(player) - 1; slot < clients_.size())
+              run_player_command(*this, slot, line);
+          }};
+}
+
+GameRequest Server::request_for(std::string_view map) const {
+  return {.map = std::string(map),
+          .kind = setup_.settings.kind(setup_.max_clients),
+          .skill = setup_.settings.skill(),
+          .program_file = setup_.program_file,
+          .max_clients = setup_.max_clients,
+          .seed = setup_.seed};
+}
+
+base::Status Server::replace_game(const GameRequest& request) {
+  TRY(LoadedGame loaded, load_game(request, setup_.settings, services()));
+  take_up(std::move(loaded));
+  return base::Ok{};
+}
+
+// From here on it is the game; whoever is connected is told.
+void Server::take_up(LoadedGame loaded) {
+  game_ = std::move(loaded.game);
+  const GameSetup& game = game_->setup();
+  for (const std::string& note : loaded.notes) print(fmt::format("{}: {}\n", game.map_name, note));
+  recorder_.reset();
+  is_paused_ = false;
+  goes_on_.assign(clients_.size(), false);
+  unplayed_s_ = 0;
+  saved_at_s_ = now_s_;
+  clients_.set_dialect(game.dialect, max_reliable_bytes(game.dialect));
+  endpoint_.set_protocol(game.dialect.protocol);
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
+    Client& client = clients_[slot];
+    if (client.is_free()) continue;
+    // What was still to be said of the old level would be taken for the new one's.
+    client.waiting.clear();
+    client.waiting_bytes = 0;
+    client.frags_told = 0;
+    clients_.tell(slot, net::StuffText{"reconnect\n"});
+    if (const base::Status told = tell_level(slot); !told.ok()) client.doom = told.error().message();
+  }
+}
+
+base::Status Server::start_map(std::string_view map) {
+  TRY_STATUS(replace_game(request_for(map)));
+  for (Client& client : clients_.all()) {
+    if (client.is_free()) continue;
+    TRY(client.parameters, game_->new_parameters());
+  }
+  return base::Ok{};
+}
+
+// What players take along; the world's server flags.
+base::Result<float> Server::carry_parameters() {
+  if (!game_) return 0.0f;
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
+    if (!clients_[slot].is_in_game()) continue;
+    TRY(clients_[slot].parameters, game_->parameters_to_carry(slot));
+  }
+  return game_->server_flags();
+}
+
+base::Status Server::change_level(std::string_view map) {
+  // Players would stand in a level that they have left already.
+  if (!setup_.library.files().contains(fmt::format("maps/{}.bsp", map)))
+    return base::error(base::ErrorCode::kNotFound, "there is no level \"{}\"", map);
+  GameRequest request = request_for(map);
+  TRY(request.server_flags, carry_parameters());
+  return replace_game(request);
+}
+
+base::Status Server::restart() {
+  if (!game_) return base::error(base::ErrorCode::kUsage, "no level is running");
+  GameRequest request = request_for(game_->setup().map_name);
+  request.server_flags = game_->setup().server_flags;
+  return replace_game(request);
+}
+
+base::Result<std::filesystem::path> Server::file_to_write(std::string_view name,
+                                                          std::string_view suffix) const {
+  if (setup_.write_folder.empty() || !setup_.write_file)
+    return base::error(base::ErrorCode::kUsage, "this server has no folder to write to");
+  const bool is_plain = !name.empty() && name.size() < 64 && name.front() != '.' &&
+                        std::all_of(name.begin(), name.end(), [](char c) {
+                          return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                                 c == '_' || c == '-' || c == '.';
+                        });
+  if (!is_plain)
+    return base::error(base::ErrorCode::kUsage,
+                       "\"{}\" is no name for a file: letters, digits, '_', '-' and '.' are", name);
+  std::string file(name);
+  if (!file.ends_with(suffix)) file += suffix;
+  return setup_.write_folder / file;
+}
+
+base::Status Server::save(std::string_view name) {
+  if (!game_) return base::error(base::ErrorCode::kUsage, "no level is running");
+  if (setup_.max_clients > 1)
+    return base::error(base::ErrorCode::kUsage, "a game of several players cannot be saved");
+  if (!clients_[0].is_in_game()) return base::error(base::ErrorCode::kUsage, "nobody is in the game");
+  if (!(game_->player(0)[field::kHealth] > 0))
+    return base::error(base::ErrorCode::kUsage, "a dead player's game cannot be saved");
+  TRY(const std::filesystem::path file, file_to_write(name, ".sav"));
+  const std::string_view level = game_->machine().text(game_->world().edicts.world()[field::kMessage]);
+  const auto total = [&](vm::GlobalIndex i) { return sent_u16(game_->machine().global_float(i)); };
+  const std::string comment = fmt::format("{:<22.22} kills:{:3}/{:3}", level, total(global::kKilledMonsters),
+                                          total(global::kTotalMonsters));
+  TRY(const std::string text, formats::write_sav(save_of(*game_, comment)));
+  TRY_STATUS(setup_.write_file(file, base::as_bytes(text)));
+  saved_at_s_ = now_s_;
+  print(fmt::format("saved to {}\n", file.string()));
+  return base::Ok{};
+}
+
+base::Status Server::load(std::string_view name) {
+  if (setup_.max_clients > 1)
+    return base::error(base::ErrorCode::kUsage, "a saved game can be gone on with by one player alone");
+  TRY(const std::filesystem::path file, file_to_write(name, ".sav"));
+  TRY(const base::ByteVector bytes, vfs::read_disk_file(file));
+  TRY(const formats::Sav sav, formats::read_sav(base::as_text(bytes)).with_file(file.string()));
+  GameRequest request = request_for(sav.map);
+  request.skill = sav.skill;
+  TRY(LoadedGame loaded, load_game(request, setup_.settings, services()));
+  TRY(const std::vector<std::string> notes, restore(sav, *loaded.game).with_file(file.string()));
+  loaded.notes.insert(loaded.notes.end(), notes.begin(), notes.end());
+  take_up(std::move(loaded));
+  clients_[0].parameters = sav.spawn_parameters;
+  goes_on_[0] = true;
+  set_paused(true);  // until the player is there
+  return base::Ok{};
+}
+
+base::Status Server::reload() {
+  if (!game_) return base::error(base::ErrorCode::kUsage, "no level is running");
+  const GameSetup& old = game_->setup();
+  GameRequest request = request_for(old.map_name);
+  request.kind = old.kind;
+  request.skill = old.skill;
+  request.server_flags = old.server_flags;
+  TRY(LoadedGame loaded, load_game(request, setup_.settings, services()));
+
+  // The game goes on where the level is the same and the new program knows all that the old one remembers.
+  std::vector<bool> goes_on(clients_.size());
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot) goes_on[slot] = clients_[slot].is_in_game();
+  const bool is_same_level = loaded.game->setup().level_hash == old.level_hash;
+  if (is_same_level) {
+    const auto notes = restore(save_of(*game_, ""), *loaded.game);
+    if (notes.ok() && notes->empty()) {
+      take_up(std::move(loaded));
+      goes_on_ = std::move(goes_on);
+      print("reloaded: the game goes on\n");
+      return base::Ok{};
+    }
+    const std::string reason = notes.ok() ? notes->front() : notes.error().message();
+    print(fmt::format("the game cannot go on: {}\n", reason));
+    TRY(loaded, load_game(request, setup_.settings, services()));
+  }
+  take_up(std::move(loaded));
+  print("reloaded: the level starts anew\n");
+  return base::Ok{};
+}
+
+void Server::print(std::string_view text) {
+  setup_.print(text);
+  if (captured_) *captured_ += text;
+}
+
+std::string Server::run_and_capture(std::string_view line) {
+  captured_.emplace();
+  console_.execute(line);
+  return *std::exchange(captured_, std::nullopt);
+}
+
+void Server::set_paused(bool paused) {
+  if (paused == is_paused_) return;
+  is_paused_ = paused;
+  clients_.tell_everyone(net::SetPause{paused});
+}
+
+// The game's code has failed: everyone is told, and the level begins anew, unless that has just been tried.
+void Server::fail(const base::Error& error) {
+  print(fmt::format("the game's code failed: {}\n{}", error.message(),
+                    game_->machine().describe(game_->machine().failure_trace())));
+  const std::string notice = fmt::format("The game's code failed: {}\n", error.message());
+  const bool fails_again = now_s_ - failed_at_s_ < kSoon_s;
+  failed_at_s_ = now_s_;
+  if (!fails_again) {
+    // What players are told before a level begins, they do not read.
+    if (const base::Status again = restart(); again.ok()) return clients_.print_everyone(notice);
+  }
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot)
+    if (!clients_[slot].is_free()) clients_.release(slot, notice);
+  recorder_.reset();
+  game_.reset();
+  print("no level is running; `map NAME` starts one\n");
+}
+
+// What QuakeC asked for while it ran.
+void Server::do_requests() {
+  Requests requests = std::exchange(game_->requests(), {});
+  if (!requests.commands.empty()) console_.append(requests.commands);
+  if (requests.change_level) console_.append("changelevel \"" + *requests.change_level + "\"\n");
+}
+
+void Server::shut_down(std::string_view reason) {
+  if (recorder_) {
+    if (const base::Status stopped = stop_recording(); !stopped.ok()) print(stopped.error().message() + "\n");
+  }
+  clients_.print_everyone(fmt::format("{}\n", reason));
+  clients_.send_waiting();
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot)
+    if (!clients_[slot].is_free()) clients_.release(slot, reason);
+  endpoint_.update(now_s_);
+}
+
+base::Status Server::record(std::size_t slot, std::string_view name) {
+  if (!game_ || slot >= clients_.size() || !clients_[slot].is_in_game())
+    return base::error(base::ErrorCode::kUsage, "there is no player {} to record", slot + 1);
+  if (recorder_) return base::error(base::ErrorCode::kUsage, "a recording is running already");
+  TRY(std::filesystem::path file, file_to_write(name, ".dem"));
+  TRY(recorder_, Recorder::begin(*game_, clients_.all(), slot, std::move(file)));
+  return base::Ok{};
+}
+
+base::Status Server::stop_recording() {
+  if (!recorder_) return base::error(base::ErrorCode::kUsage, "no recording is running");
+  const std::filesystem::path file = recorder_->file();
+  const base::ByteVector bytes = std::move(*recorder_).finish();
+  recorder_.reset();
+  TRY_STATUS(setup_.write_file(file, bytes));
+  print(fmt::format("recorded to {}\n", file.string()));
+  return base::Ok{};
+}
+
+}  // namespace temblor::server

@@ -1,0 +1,154 @@
+// A server: clients that come and go, and one level after another. Knows no clock and no socket of its own:
+// both are given to it, so that tests run it on a clock of theirs, and two can live in one process.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "assets/library.h"
+#include "base/result.h"
+#include "command/console.h"
+#include "net/server_endpoint.h"
+#include "server/client_datagram.h"
+#include "server/clients.h"
+#include "server/game.h"
+#include "server/game_loader.h"
+#include "server/recorder.h"
+#include "server/server_variables.h"
+#include "server/snapshot.h"
+
+namespace temblor::server {
+
+struct ServerSetup {
+  // These must outlive the server.
+  const assets::Library& library;
+  const ServerVariables& settings;
+  net::ServerEndpoint::Sockets sockets;  // one or more
+  net::ServerEndpointSettings wire{};    // how many connections there may be follows from max_clients
+  std::uint32_t max_clients = 8;         // 1: single player; more than 16: stock clients refuse
+  std::filesystem::path program_file{};  // the game's code on disk; empty: the game folders' progs.dat
+  // Where saves, recordings and game code's own files go; empty: nothing is written.
+  std::filesystem::path write_folder{};
+  // Replaces a file whole, or leaves the old one.
+  std::function<base::Status(const std::filesystem::path& file, base::Bytes bytes)> write_file{};
+  std::function<void(std::string_view text)> print;  // for the host's eyes; newlines are in it
+  std::uint64_t seed = 1;                            // of the games' dice
+};
+
+class Server {
+ public:
+  explicit Server(ServerSetup setup);
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  // --- Levels. Each of these fails where level or program cannot be used; what was running then goes on.
+  // A new game: everybody starts anew.
+  base::Status start_map(std::string_view map);
+  // Players take along what SetChangeParms says, and the world its server flags.
+  base::Status change_level(std::string_view map);
+  // The level again, everybody with what he came into it with.
+  base::Status restart();
+  // The level again, with the program and the level as they are on disk now.
+  base::Status reload();
+  base::Status save(std::string_view name);
+  base::Status load(std::string_view name);
+
+  // --- Time. `now_s` is any clock's and never goes back.
+  // Packets in, commands, as many ticks as are due (the rest of a long wait is forgotten), packets out.
+  void step(double now_s);
+  // Seconds until the next tick is due, for who wants to sleep; 0 at the least.
+  double until_next_tick_s(double now_s) const;
+  // Tells everybody and lets go of them. Nothing else may follow.
+  void shut_down(std::string_view reason);
+
+  // --- The host's commands (host_commands.h adds them).
+  command::Console& console() { return console_; }
+  bool wants_to_quit() const { return wants_to_quit_; }
+  void quit() { wants_to_quit_ = true; }
+  void set_paused(bool paused);
+  bool is_paused() const { return is_paused_; }
+  base::Status record(std::size_t slot, std::string_view name);
+  base::Status stop_recording();
+  // A host's command on behalf of somebody else: what it printed.
+  std::string run_and_capture(std::string_view line);
+  // The game's code has failed.
+  void fail(const base::Error& error);
+  // Lets go of a client; `reason` is for his eyes and everybody's.
+  void drop(std::size_t slot, std::string_view reason);
+
+  Game* game() { return game_.get(); }  // null: no level is running
+  Clients& clients() { return clients_; }
+  net::ServerEndpoint& endpoint() { return endpoint_; }
+  const ServerVariables& settings() const { return setup_.settings; }
+  const vfs::FileSystem& files() const { return setup_.library.files(); }
+  void print(std::string_view text);
+  double now_s() const { return now_s_; }
+  std::uint64_t ticks() const { return ticks_; }
+
+ private:
+  // Joining a level, and leaving (server_clients.cpp).
+  void take_events();
+  void take_event(const net::PeerConnected& event);
+  void take_event(const net::PeerMessage& event);
+  void take_event(const net::PeerDisconnected& event);
+  void take_event(const net::RemoteCommand& event);
+  net::ServerDescription description() const;
+  void leave(std::size_t slot);
+  void take_messages(std::size_t slot, base::Bytes bytes);
+  void take_command(std::size_t slot, std::string_view line);
+  // Answers to what clients ask for while they join; each fails where QuakeC does.
+  base::Status tell_level(std::size_t slot);
+  base::Status tell_beginning(std::size_t slot);
+  base::Status put_in_game(std::size_t slot);
+  void begin_play(std::size_t slot);
+  bool may_command(std::size_t slot);
+  bool parse_command(std::size_t slot, std::string_view line);
+  void drop_doomed();
+
+  // Levels (server.cpp).
+  GameServices services();
+  GameRequest request_for(std::string_view map) const;
+  base::Result<std::filesystem::path> file_to_write(std::string_view name, std::string_view suffix) const;
+  base::Status replace_game(const GameRequest& request);
+  void take_up(LoadedGame loaded);
+  base::Result<float> carry_parameters();
+  void do_requests();
+
+  // Ticks (server_tick.cpp).
+  void run_tick();
+  void send_tick();
+  void send_to(std::size_t slot);
+  void tell_frags();
+  void clear_flashes();
+  void autosave();
+
+  ServerSetup setup_;
+  command::Console console_;
+  net::ServerEndpoint endpoint_;
+  Clients clients_;
+  std::unique_ptr<Game> game_;
+  Snapshot snapshot_;
+  DatagramScratch scratch_;
+  base::ByteWriter datagram_;
+  std::vector<PlayerInput> inputs_;
+  std::optional<Recorder> recorder_;
+  double now_s_ = 0;
+  double unplayed_s_ = 0;  // of the clock, not yet played
+  double failed_at_s_ = -1e9;
+  double saved_at_s_ = 0;
+  std::uint64_t ticks_ = 0;
+  // By slot: the player is in the game already (loaded or reloaded) when his client asks to be put there.
+  std::vector<bool> goes_on_;
+  std::optional<std::string> captured_;  // run_and_capture()
+  bool has_started_ = false;
+  bool is_paused_ = false;
+  bool wants_to_quit_ = false;
+};
+
+}  // namespace temblor::server

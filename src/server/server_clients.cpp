@@ -1,0 +1,223 @@
+// Clients: how they come, what they ask for, how they go.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "command/text.h"
+#include "net/client_message.h"
+#include "net/message_writer.h"
+#include "server/player_commands.h"
+#include "server/server.h"
+#include "server/signon.h"
+
+namespace temblor::server {
+namespace {
+
+// Lines of text that a client may give at once, and how many more each second: more than anybody types.
+constexpr double kCommandsAtOnce = 60, kCommandsPerSecond = 20;
+constexpr float kLongestPing_s = 5;
+
+}  // namespace
+
+void Server::take_events() {
+  while (const std::optional<net::ServerEvent> event = endpoint_.next_event(now_s_))
+    std::visit([this](const auto& one) { take_event(one); }, *event);
+}
+
+void Server::take_event(const net::PeerConnected& event) {
+  const std::optional<std::size_t> slot = clients_.free_slot();
+  if (!game_ || !slot) {
+    endpoint_.disconnect(event.connection, game_ ? "The server is full.\n" : "No level is running.\n");
+    return;
+  }
+  Client& client = clients_[*slot];
+  client = Client{};
+  client.stage = ClientStage::kTold;
+  client.connection = event.connection;
+  client.address = platform::to_text(event.address);
+  client.joined_at_s = now_s_;
+  client.command_credit = kCommandsAtOnce;
+  client.credit_since_s = now_s_;
+  print(fmt::format("client {} connected\n", client.address));
+  base::Result<SpawnParameters> parameters = game_->new_parameters();
+  if (!parameters.ok()) return fail(parameters.error());
+  client.parameters = *parameters;
+  if (const base::Status told = tell_level(*slot); !told.ok()) client.doom = told.error().message();
+}
+
+void Server::take_event(const net::PeerMessage& event) {
+  if (const std::optional<std::size_t> slot = clients_.slot_of(event.connection))
+    take_messages(*slot, event.bytes);
+}
+
+void Server::take_event(const net::PeerDisconnected& event) {
+  if (const std::optional<std::size_t> slot = clients_.slot_of(event.connection)) drop(*slot, event.reason);
+}
+
+void Server::take_event(const net::RemoteCommand& event) {
+  print(fmt::format("rcon from {}: {}\n", platform::to_text(event.from), base::printable(event.command)));
+  endpoint_.reply_to_remote_command(event, run_and_capture(event.command));
+}
+
+net::ServerDescription Server::description() const {
+  net::ServerDescription description;
+  description.host_name = setup_.settings.host_name();
+  description.map = game_ ? game_->setup().map_name : "";
+  description.max_players = static_cast<int>(clients_.size());
+  for (const Client& client : clients_.all()) {
+    if (client.is_free()) continue;
+    // Where players are is nobody's business.
+    description.players.push_back({.name = client.name,
+                                   .colors = client.colors,
+                                   .frags = client.frags_told,
+                                   .connected_s = now_s_ - client.joined_at_s,
+                                   .address = "private"});
+  }
+  for (const auto& [name, value] : setup_.settings.rules()) description.rules.push_back({name, value});
+  return description;
+}
+
+base::Status Server::tell_level(std::size_t slot) {
+  clients_[slot].stage = ClientStage::kTold;
+  clients_[slot].input = PlayerInput{};
+  TRY(base::ByteVector message, level_message(*game_, slot));
+  clients_.queue_alone(slot, std::move(message));
+  return base::Ok{};
+}
+
+base::Status Server::tell_beginning(std::size_t slot) {
+  TRY(std::vector<base::ByteVector> parts, beginning_messages(*game_));
+  for (base::ByteVector& part : parts) clients_.queue_alone(slot, std::move(part));
+  clients_[slot].stage = ClientStage::kLoaded;
+  return base::Ok{};
+}
+
+base::Status Server::put_in_game(std::size_t slot) {
+  Client& client = clients_[slot];
+  if (goes_on_[slot])
+    set_paused(false);
+  else
+    TRY_STATUS(game_->put_in(slot, client.parameters, client.name, client.colors));
+  goes_on_[slot] = false;
+  client.stage = ClientStage::kSpawned;
+  clients_.queue_alone(slot, state_message(*game_, clients_.all(), slot));
+  return base::Ok{};
+}
+
+void Server::begin_play(std::size_t slot) {
+  Client& client = clients_[slot];
+  client.stage = ClientStage::kPlaying;
+  print(fmt::format("{} entered the game\n", client.name));
+}
+
+void Server::take_messages(std::size_t slot, base::Bytes bytes) {
+  net::ClientMessageReader reader(bytes, clients_.dialect().protocol);
+  while (true) {
+    const auto message = reader.next();
+    Client& client = clients_[slot];
+    if (!message.ok()) {
+      client.doom = fmt::format("sent what cannot be read: {}", message.error().what);
+      return;
+    }
+    if (!message->has_value()) return;
+    if (std::holds_alternative<net::Disconnect>(**message)) return drop(slot, "left");
+    if (const auto* move = std::get_if<net::Move>(&**message)) {
+      if (client.stage != ClientStage::kPlaying) continue;
+      const float ping_s = static_cast<float>(game_->time_s()) - move->time_s;
+      client.add_ping(std::clamp(ping_s, 0.0f, kLongestPing_s));
+      client.input.command = {.view_angles_deg = move->angles_deg,
+                              .forward = static_cast<float>(move->forward),
+                              .side = static_cast<float>(move->side),
+                              .up = static_cast<float>(move->up)};
+      client.input.buttons = move->buttons;
+      // One that comes before the last was played must not take its place.
+      if (move->impulse != 0) client.input.impulse = move->impulse;
+    } else if (const auto* command = std::get_if<net::StringCommand>(&**message)) {
+      take_command(slot, command->text);
+      if (clients_[slot].is_free() || !game_) return;
+    }
+  }
+}
+
+// Whether this client has not asked for too much lately.
+bool Server::may_command(std::size_t slot) {
+  Client& client = clients_[slot];
+  client.command_credit = std::min(
+      kCommandsAtOnce, client.command_credit + (now_s_ - client.credit_since_s) * kCommandsPerSecond);
+  client.credit_since_s = now_s_;
+  if (client.command_credit < 1) return false;
+  client.command_credit -= 1;
+  return true;
+}
+
+void Server::take_command(std::size_t slot, std::string_view line) {
+  if (!may_command(slot)) {
+    clients_[slot].doom = "gave too many commands";
+    return;
+  }
+  const std::vector<std::string> words = command::split_words(line);
+  if (words.empty()) return;
+  const ClientStage stage = clients_[slot].stage;
+  const std::string& name = words[0];
+  // Each of these is asked for once, in this order; what comes out of turn belongs to the level before.
+  if (name == "prespawn" || name == "spawn") {
+    const bool is_turn = stage == (name == "spawn" ? ClientStage::kLoaded : ClientStage::kTold);
+    if (!is_turn) return;
+    const base::Status status = name == "spawn" ? put_in_game(slot) : tell_beginning(slot);
+    if (!status.ok()) fail(status.error());
+  } else if (name == "begin") {
+    if (stage == ClientStage::kSpawned) begin_play(slot);
+  } else if (name == "dropclient" || name == "drop") {
+    drop(slot, "left");
+  } else if (!clients_[slot].is_in_game() || !parse_command(slot, line)) {
+    run_player_command(*this, slot, line);
+  }
+}
+
+// Gives the program a chance at the line, if it wants one; false: the line is the server's.
+bool Server::parse_command(std::size_t slot, std::string_view line) {
+  const vm::FunctionIndex parse = game_->machine().program().find_function("SV_ParseClientCommand");
+  if (parse == vm::kNoFunction) return false;
+  const base::Result<vm::StringIndex> text = game_->machine().make_string(line);
+  if (!text.ok()) {
+    fail(text.error());
+    return true;
+  }
+  game_->machine().set_parameter_string(0, *text);
+  const base::Status status =
+      game_->world().calls.call(parse, Game::player_index(slot), vm::kWorld, game_->time_s());
+  if (!status.ok()) fail(status.error());
+  return true;
+}
+
+void Server::leave(std::size_t slot) {
+  if (!game_ || !(clients_[slot].is_in_game() || goes_on_[slot])) return;
+  goes_on_[slot] = false;
+  if (recorder_ && recorder_->slot() == slot) {
+    if (const base::Status stopped = stop_recording(); !stopped.ok()) print(stopped.error().message() + "\n");
+  }
+  const base::Status status = game_->take_out(slot);
+  clients_[slot].stage = ClientStage::kTold;  // fail() must not try it again
+  if (!status.ok()) fail(status.error());
+}
+
+void Server::drop(std::size_t slot, std::string_view reason) {
+  if (clients_[slot].is_free()) return;
+  leave(slot);
+  if (clients_[slot].is_free()) return;
+  print(fmt::format("client {} ({}) removed: {}\n", clients_[slot].name, clients_[slot].address, reason));
+  clients_.release(slot, reason);
+  const auto number = static_cast<std::uint8_t>(slot);
+  clients_.tell_everyone(net::UpdateName{number, ""});
+  clients_.tell_everyone(net::UpdateFrags{number, 0});
+  clients_.tell_everyone(net::UpdateColors{number, 0});
+}
+
+void Server::drop_doomed() {
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot)
+    if (!clients_[slot].is_free() && !clients_[slot].doom.empty())
+      drop(slot, std::string(clients_[slot].doom));
+}
+
+}  // namespace temblor::server

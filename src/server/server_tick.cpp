@@ -1,0 +1,118 @@
+// Time: when ticks are due, one tick, and what clients are told of it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "net/message_writer.h"
+#include "server/server.h"
+
+namespace temblor::server {
+namespace {
+
+constexpr double kLongestWait_s = 0.25;  // after which the world has stood still rather than run ahead
+// What is certain to get through whole on every way between two machines; stock clients take 1024.
+constexpr std::size_t kMaxDatagram = 1400, kMaxStockDatagram = 1024;
+constexpr int kMuzzleFlash = 2;  // of `effects`
+
+}  // namespace
+
+double Server::until_next_tick_s(double now_s) const {
+  return std::max(0.0, setup_.settings.tick_s() - unplayed_s_ - (now_s - now_s_));
+}
+
+void Server::step(double now_s) {
+  unplayed_s_ += has_started_ ? std::min(now_s - now_s_, kLongestWait_s) : 0;
+  has_started_ = true;
+  now_s_ = now_s;
+  take_events();
+  console_.run();
+  const double tick_s = setup_.settings.tick_s();
+  while (game_ && unplayed_s_ >= tick_s) {
+    unplayed_s_ -= tick_s;
+    run_tick();
+  }
+  if (!game_) unplayed_s_ = 0;
+  drop_doomed();
+  clients_.send_waiting();
+  endpoint_.set_remote_password(setup_.settings.rcon_password());
+  endpoint_.update(now_s);
+  autosave();
+}
+
+void Server::run_tick() {
+  game_->world().settings = setup_.settings.physics();
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
+    Client& client = clients_[slot];
+    client.input.is_active = client.is_in_game();
+    inputs_[slot] = client.input;
+    client.input.impulse = 0;
+  }
+  if (!is_paused_) {
+    if (const base::Status status = game_->tick(inputs_); !status.ok()) return fail(status.error());
+    ++ticks_;
+  }
+  send_tick();
+  do_requests();
+}
+
+void Server::send_tick() {
+  take_snapshot(game_->world(), game_->machine(), game_->look_fields(), game_->setup().dialect, snapshot_);
+  tell_frags();
+  Outbox& outbox = game_->outbox();
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
+    clients_.queue(slot, outbox.reliable().view());
+    if (const base::ByteWriter* own = outbox.reliable_to(Game::player_index(slot)))
+      clients_.queue(slot, own->view());
+    if (clients_[slot].stage == ClientStage::kPlaying) send_to(slot);
+  }
+  clear_flashes();
+  outbox.clear_tick();
+}
+
+void Server::send_to(std::size_t slot) {
+  const bool is_stock = game_->setup().dialect.protocol == net::Protocol::kNetQuake;
+  datagram_.truncate(0);
+  write_datagram(*game_, slot, snapshot_, is_stock ? kMaxStockDatagram : kMaxDatagram, scratch_, datagram_);
+  clients_.send_unreliable(slot, datagram_.view());
+  if (recorder_ && recorder_->slot() == slot) {
+    recorder_->add(game_->player(slot)[field::kViewAngles], game_->outbox().reliable().view());
+    recorder_->add(game_->player(slot)[field::kViewAngles], datagram_.view());
+  }
+}
+
+void Server::tell_frags() {
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
+    Client& client = clients_[slot];
+    if (!client.is_in_game()) continue;
+    const float frags = std::clamp(game_->player(slot)[field::kFrags], -32768.0f, 32767.0f);
+    const auto now = static_cast<std::int16_t>(std::isfinite(frags) ? frags : 0.0f);
+    if (now == client.frags_told) continue;
+    client.frags_told = now;
+    clients_.tell_everyone(net::UpdateFrags{static_cast<std::uint8_t>(slot), now});
+  }
+}
+
+// They are seen for one tick.
+void Server::clear_flashes() {
+  Edicts& edicts = game_->world().edicts;
+  for (std::uint32_t number = 1; number < edicts.count(); ++number) {
+    if (edicts.is_free(vm::EntityIndex{number})) continue;
+    const Edict edict = edicts[vm::EntityIndex{number}];
+    const int effects = edict.whole(field::kEffects);
+    if ((effects & kMuzzleFlash) != 0)
+      edict.set(field::kEffects, static_cast<float>(effects & ~kMuzzleFlash));
+  }
+}
+
+void Server::autosave() {
+  const double every_s = setup_.settings.autosave_s();
+  const bool is_due = every_s > 0 && now_s_ - saved_at_s_ >= every_s;
+  const bool can_be =
+      game_ && setup_.max_clients == 1 && clients_[0].is_in_game() && game_->player(0)[field::kHealth] > 0;
+  if (!is_due || !can_be) return;
+  saved_at_s_ = now_s_;  // one that fails is tried again after the same time
+  if (const base::Status saved = save("autosave"); !saved.ok()) print(saved.error().message() + "\n");
+}
+
+}  // namespace temblor::server

@@ -1,0 +1,133 @@
+#include "server/server_variables.h"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace temblor::server {
+namespace {
+
+constexpr double kHuge = 1e6;
+
+// Rules that stock servers tell, and those that game code reads.
+constexpr std::array<std::string_view, 15> kRules = {
+    "sv_maxspeed",  "sv_friction", "sv_gravity", "sv_accelerate", "sv_stopspeed",
+    "edgefriction", "fraglimit",   "timelimit",  "teamplay",      "noexit",
+    "samelevel",    "deathmatch",  "coop",       "skill",         "sv_maxvelocity",
+};
+
+}  // namespace
+
+ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(&io_variables) {
+  command::Variables& v = io_variables;
+  gravity_ = v.add_float("sv_gravity", 800, -kHuge, kHuge, "Pull downwards, in units a second squared.");
+  max_velocity_ = v.add_float("sv_maxvelocity", 2000, 1, kHuge,
+                              "Fastest that anything moves along an axis, in units a second.");
+  friction_ = v.add_float("sv_friction", 4, 0, kHuge, "How soon players come to rest.");
+  edge_friction_ =
+      v.add_float("edgefriction", 2, 0, kHuge, "How much more friction there is before a deep drop.");
+  stop_speed_ = v.add_float("sv_stopspeed", 100, 0, kHuge,
+                            "Below this speed friction is as strong as at it, in units a second.");
+  accelerate_ = v.add_float("sv_accelerate", 10, 0, kHuge, "How soon players get to their speed.");
+  max_speed_ = v.add_float("sv_maxspeed", 320, 0, kHuge, "Fastest that players walk, in units a second.");
+  no_step_ = v.add_bool("sv_nostep", false, "Players cannot climb stairs.");
+
+  skill_ = v.add_float("skill", 1, 0, 3, "Of the next level: 0 easy, 1 normal, 2 hard, 3 nightmare.");
+  deathmatch_ = v.add_int("deathmatch", 0, 0, 255, "Of the next level: players against one another.");
+  coop_ = v.add_bool("coop", false, "Of the next level: players together.");
+  v.add_int("teamplay", 0, 0, 255, "Whether players of one team hurt each other (for game code).");
+  v.add_int("fraglimit", 0, 0, 1000000, "Kills that end a deathmatch; 0: none (for game code).");
+  v.add_float("timelimit", 0, 0, 1000000, "Minutes that a deathmatch lasts; 0: for ever (for game code).");
+  v.add_bool("samelevel", false, "A deathmatch goes on in the same level (for game code).");
+  v.add_int("noexit", 0, 0, 255, "Players cannot leave a level of a deathmatch (for game code).");
+  v.add_float("sv_aim", 0.93, -1, 2,
+              "Cosine of the angle within which a shot is turned at a target; above 1: never.");
+  for (const std::string_view name : {"gamecfg", "nomonsters", "temp1"})
+    v.add_float(name, 0, -kHuge, kHuge, "A number for game code.");
+  for (const std::string_view name : {"scratch1", "scratch2", "scratch3", "scratch4", "saved1", "saved2",
+                                      "saved3", "saved4", "savedgamecfg"})
+    v.add_float(name, 0, -1e9, 1e9, "A number that game code keeps from level to level.");
+
+  tick_rate_ = v.add_float("sys_ticrate", 1.0 / 72, 0.001, 0.1,
+                           "Seconds between two steps of the world; the original's servers: 0.05.");
+  autosave_ = v.add_float("sv_autosave", 0, 0, 1440,
+                          "Minutes between two saves of a game without being asked; 0: never.");
+  constexpr std::array<std::string_view, 4> kProtocols = {"auto", "15", "666", "999"};
+  protocol_ = v.add_choice("sv_protocol", kProtocols,
+                           "Of the next level: the protocol; auto: the oldest that can say all of it.");
+  host_name_ = v.add_text("hostname", "Temblor", "The server's name, as lists of servers show it.");
+  timeout_ = v.add_float("net_messagetimeout", 300, 1, 86400,
+                         "Seconds after which a client that says nothing is dropped.");
+  rcon_password_ =
+      v.add_text("rcon_password", "", "With it, players may give the server commands; empty: nobody may.");
+  cheats_ = v.add_bool("sv_cheats", false, "god, noclip, give and the like work with several players too.");
+  reload_ = v.add_bool("sv_reload", true, "A program or level that changes on disk is taken up at once.");
+}
+
+PhysicsSettings ServerVariables::physics() const {
+  const auto number = [&](command::VariableIndex i) {
+    return static_cast<float>(variables_->float_value(i));
+  };
+  return {.gravity = number(gravity_),
+          .max_velocity = number(max_velocity_),
+          .friction = number(friction_),
+          .edge_friction = number(edge_friction_),
+          .stop_speed = number(stop_speed_),
+          .accelerate = number(accelerate_),
+          .max_speed = number(max_speed_),
+          .no_step = variables_->bool_value(no_step_)};
+}
+
+GameKind ServerVariables::kind(std::size_t max_clients) const {
+  if (variables_->int_value(deathmatch_) != 0) return GameKind::kDeathmatch;
+  return max_clients > 1 || variables_->bool_value(coop_) ? GameKind::kCooperative : GameKind::kSingle;
+}
+
+int ServerVariables::skill() const {
+  return static_cast<int>(std::floor(variables_->float_value(skill_) + 0.5));
+}
+
+double ServerVariables::tick_s() const {
+  return variables_->float_value(tick_rate_);
+}
+double ServerVariables::autosave_s() const {
+  return variables_->float_value(autosave_) * 60;
+}
+
+std::optional<net::Protocol> ServerVariables::protocol() const {
+  switch (variables_->choice_value(protocol_)) {
+    case 1:
+      return net::Protocol::kNetQuake;
+    case 2:
+      return net::Protocol::kFitzQuake;
+    case 3:
+      return net::Protocol::kRmq;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string ServerVariables::host_name() const {
+  return variables_->text_value(host_name_);
+}
+float ServerVariables::timeout_s() const {
+  return static_cast<float>(variables_->float_value(timeout_));
+}
+const std::string& ServerVariables::rcon_password() const {
+  return variables_->text_value(rcon_password_);
+}
+bool ServerVariables::cheats_allowed() const {
+  return variables_->bool_value(cheats_);
+}
+bool ServerVariables::reloads() const {
+  return variables_->bool_value(reload_);
+}
+
+std::vector<std::pair<std::string, std::string>> ServerVariables::rules() const {
+  std::vector<std::pair<std::string, std::string>> rules;
+  for (const std::string_view name : kRules)
+    if (const command::Variable* variable = variables_->find(name)) rules.emplace_back(name, variable->text);
+  return rules;
+}
+
+}  // namespace temblor::server

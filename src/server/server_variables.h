@@ -1,0 +1,42 @@
+// The server's console variables, by their stock names.
+#pragma once
+
+#include <string>
+
+#include "command/variables.h"
+#include "server/game.h"
+#include "server/game_world.h"
+
+namespace temblor::server {
+
+class ServerVariables {
+ public:
+  // Registers them. `io_variables` must outlive this.
+  explicit ServerVariables(command::Variables& io_variables);
+
+  PhysicsSettings physics() const;
+  GameKind kind(std::size_t max_clients) const;
+  int skill() const;  // 0 to 3
+  double tick_s() const;
+  double autosave_s() const;  // 0: never
+  // Nothing: chosen by what the level needs.
+  std::optional<net::Protocol> protocol() const;
+  std::string host_name() const;
+  float timeout_s() const;
+  const std::string& rcon_password() const;
+  bool cheats_allowed() const;
+  bool reloads() const;
+
+  command::Variables& variables() const { return *variables_; }
+  // Names and values that the server tells who asks for its rules.
+  std::vector<std::pair<std::string, std::string>> rules() const;
+
+ private:
+  command::Variables* variables_;
+  command::VariableIndex gravity_, max_velocity_, friction_, edge_friction_, stop_speed_, accelerate_,
+      max_speed_, no_step_;
+  command::VariableIndex skill_, deathmatch_, coop_, tick_rate_, autosave_, protocol_, host_name_, timeout_,
+      rcon_password_, cheats_, reload_;
+};
+
+}  // namespace temblor::server
