@@ -24,22 +24,22 @@ float face_each_other(PlayedLevel& io_game) {
   io_game.run(1);
   const float yaw = take_a_stand(io_game);
   io_game.put(io_game.player(1), io_game.player(0)[field::kOrigin] + direction_of(yaw) * 200.0f);
-  io_game.command(0).view_angles_deg = {0, yaw, 0};
+  io_game.input(0).command.view_angles_deg = {0, yaw, 0};
   io_game.run(0.5);
   return yaw;
 }
 
 // What a rocket leaves of the health of somebody whom it was fired past, 30 degrees aside.
 float health_after_rocket(const std::filesystem::path& data, std::string_view program) {
-  PlayedLevel game(data, "lqdm1", program_of(program), {.deathmatch = 1, .players = 2});
+  PlayedLevel game(data, "lqdm1", program_of(program), {.kind = server::GameKind::kDeathmatch, .players = 2});
   const float yaw = face_each_other(game);
   const server::Edict shooter = game.player(0);
   shooter.set(field::kItems, 32 + 4096);
   shooter.set(field::kAmmoRockets, 1);
   shooter.set(field::kImpulse, 7);
-  game.command(0).view_angles_deg = {0, yaw + 30, 0};
+  game.input(0).command.view_angles_deg = {0, yaw + 30, 0};
   game.run(0.1);
-  shooter.set(field::kButton0, 1);
+  game.input(0).buttons = kAttack;
   game.run(3);
   EXPECT_EQ(shooter[field::kAmmoRockets], 0);
   EXPECT_THAT(game.errors(), IsEmpty());
@@ -64,14 +64,14 @@ TEST(Examples, TheCraftFliesWhereItsPilotLooks) {
   game.put(pilot, craft[field::kOrigin]);
   game.run(0.5);
   const math::Vec3 from = craft[field::kOrigin];
-  game.command(0).view_angles_deg = {-45, 90, 0};  // up, and along y
+  game.input(0).command.view_angles_deg = {-45, 90, 0};  // up, and along y
   game.run(0.5);
   EXPECT_GT(craft[field::kOrigin][2], from[2] + 30);
   // He sits on it.
   EXPECT_LT(glm::length(pilot[field::kOrigin] - craft[field::kOrigin]), 40);
-  pilot.set(field::kButton2, 1);
+  game.input(0).buttons = kJump;
   game.run(0.1);
-  pilot.set(field::kButton2, 0);
+  game.input(0).buttons = 0;
   game.run(2);
   EXPECT_EQ(pilot.move_type(), server::MoveType::kWalk);
   EXPECT_TRUE(pilot.has_flag(server::flag::kOnGround));
@@ -81,7 +81,8 @@ TEST(Examples, TheCraftFliesWhereItsPilotLooks) {
 
 TEST(Examples, AlertersStickAndScreech) {
   DATA_FOLDER_OR_SKIP(data);
-  PlayedLevel game(data, "lqdm1", program_of("alerter"), {.deathmatch = 1, .players = 2});
+  PlayedLevel game(data, "lqdm1", program_of("alerter"),
+                   {.kind = server::GameKind::kDeathmatch, .players = 2});
   const float yaw = face_each_other(game);
   game.player(0).set(field::kImpulse, 101);
   game.run(2);

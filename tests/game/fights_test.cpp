@@ -20,8 +20,8 @@ constexpr float kDegree = std::numbers::pi_v<float> / 180;
 void aim_at(PlayedLevel& io_game, std::uint32_t monster) {
   const math::Vec3 way = io_game.edict(monster)[field::kOrigin] - io_game.player(0)[field::kOrigin];
   const float flat = std::hypot(way[0], way[1]);
-  io_game.command(0).view_angles_deg = {-std::atan2(way[2], flat) / kDegree,
-                                        std::atan2(way[1], way[0]) / kDegree, 0};
+  io_game.input(0).command.view_angles_deg = {-std::atan2(way[2], flat) / kDegree,
+                                              std::atan2(way[1], way[0]) / kDegree, 0};
 }
 
 // Seconds until the player has lost health; over `longest`: he has not.
@@ -42,10 +42,10 @@ void shoot_dead(PlayedLevel& io_game, std::uint32_t monster, float weapon_impuls
     for (const auto ammo : {field::kAmmoShells, field::kAmmoNails, field::kAmmoRockets})
       player.set(ammo, 100);
     aim_at(io_game, monster);
-    player.set(field::kButton0, 1);
+    io_game.input(0).buttons = kAttack;
     io_game.tick();
   }
-  player.set(field::kButton0, 0);
+  io_game.input(0).buttons = 0;
 }
 
 class Fights : public ::testing::TestWithParam<std::string> {};

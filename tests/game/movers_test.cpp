@@ -196,7 +196,7 @@ TEST(Movers, MonstersWalkTheirPaths) {
 
 TEST(Movers, ItemsComeBackInADeathmatch) {
   DATA_FOLDER_OR_SKIP(data);
-  PlayedLevel game(data, "lqdm1", kProgs, {.deathmatch = 1});
+  PlayedLevel game(data, "lqdm1", kProgs, {.kind = server::GameKind::kDeathmatch});
   game.join(0);
   game.run(1);
   const std::uint32_t rockets = game.of_class("item_rockets").at(0);

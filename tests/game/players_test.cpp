@@ -14,10 +14,6 @@ namespace field = server::field;
 
 const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "quakec/progs.dat";
 
-void press(server::Edict player, server::Field<float> button, bool is_down) {
-  player.set(button, is_down ? 1.0f : 0.0f);
-}
-
 struct Weapon {
   const char* name;
   float impulse;
@@ -44,9 +40,9 @@ TEST(Players, ShootAsFastAsTheRulesSayAndPayForIt) {
     player.set(weapon.ammo, 100);
     player.set(field::kImpulse, weapon.impulse);
     game.run(0.5);
-    press(player, field::kButton0, true);
+    game.input(0).buttons = kAttack;
     game.run(1.95);
-    press(player, field::kButton0, false);
+    game.input(0).buttons = 0;
     game.run(0.5);
     EXPECT_NEAR(100 - player[weapon.ammo], weapon.shots_in_2_s * weapon.ammo_of_shot, 2 * weapon.ammo_of_shot)
         << weapon.name;
@@ -64,7 +60,7 @@ TEST(Players, JumpAndLand) {
   const server::Edict player = game.player(0);
   const float floor = player[field::kOrigin][2];
   float highest = floor;
-  press(player, field::kButton2, true);
+  game.input(0).buttons = kJump;
   for (int i = 0; i < 72; ++i) {
     game.tick();
     highest = std::max(highest, player[field::kOrigin][2]);
@@ -134,7 +130,7 @@ TEST(Players, ArmourTakesItsPart) {
 
 TEST(Players, QuadHitsFourTimesAsHard) {
   DATA_FOLDER_OR_SKIP(data);
-  PlayedLevel game(data, "lqdm1", kProgs, {.deathmatch = 1, .players = 2});
+  PlayedLevel game(data, "lqdm1", kProgs, {.kind = server::GameKind::kDeathmatch, .players = 2});
   game.join(0);
   game.join(1);
   game.run(0.5);
@@ -154,7 +150,7 @@ TEST(Players, QuadHitsFourTimesAsHard) {
 
 TEST(Players, DieAndComeBackInADeathmatch) {
   DATA_FOLDER_OR_SKIP(data);
-  PlayedLevel game(data, "lqdm1", kProgs, {.deathmatch = 1, .players = 2});
+  PlayedLevel game(data, "lqdm1", kProgs, {.kind = server::GameKind::kDeathmatch, .players = 2});
   game.join(0);
   game.join(1);
   game.run(1);
@@ -164,7 +160,7 @@ TEST(Players, DieAndComeBackInADeathmatch) {
   EXPECT_EQ(game.player(1)[field::kFrags], 1);
   game.run(3);
   EXPECT_GT(victim[field::kDeadFlag], 0);
-  press(victim, field::kButton0, true);
+  game.input(0).buttons = kAttack;
   game.run(0.5);
   EXPECT_EQ(victim[field::kDeadFlag], 0);
   EXPECT_EQ(victim[field::kHealth], 100);
@@ -180,7 +176,7 @@ TEST(Players, DieAloneAndTheLevelStartsAgain) {
   game.hurt(1, 0, 500);
   game.run(2);
   EXPECT_EQ(game.commands(), "");
-  press(game.player(0), field::kButton0, true);
+  game.input(0).buttons = kAttack;
   game.run(2);
   EXPECT_EQ(game.commands(), "restart\n");
   EXPECT_THAT(game.errors(), IsEmpty());
@@ -201,7 +197,7 @@ TEST(Players, LeaveThroughTheExitAndTakeTheirThingsAlong) {
   EXPECT_EQ(game.global("intermission_running"), 1);
   EXPECT_EQ(game.change_level(), std::nullopt);  // the scores are read first
   game.run(2);
-  press(player, field::kButton0, true);
+  game.input(0).buttons = kAttack;
   game.run(0.5);
   EXPECT_EQ(game.change_level(), "lq_e0m2");
   game.call_function("SetChangeParms", player.index());
