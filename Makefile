@@ -16,11 +16,12 @@ test:
 bench:
 	tools/setup.sh build
 	cmake --preset release
-	cmake --build --preset release --target temblor kernel_bench compile_bench vm_bench
+	cmake --build --preset release --target temblor kernel_bench compile_bench vm_bench server_bench
 	build/release/temblor $(WITH_DATA) bench --report $(BENCHED)
 	$(if $(TEMBLOR_DATA),build/release/bench/compile_bench build/release/temblor)
 	build/release/bench/kernel_bench
 	build/release/bench/vm_bench
+	build/release/bench/server_bench
 
 format:
 	$(SOURCES) | xargs clang-format-14 -i

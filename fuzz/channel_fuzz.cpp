@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (message.ok() && message->has_value() && (*message)->reliable)
       CHECK((*message)->bytes.size() <= kMost);
     if (packet.size() % 16 == 8) {
-      const base::ByteVector own(packet.size() * 10);
+      const base::ByteVector own(packet.size() * 3);
       const base::Status status = channel.send_reliable(own, now_s, sink);
       CHECK(status.ok() || channel.queued_bytes() + own.size() > kQueue);
     }

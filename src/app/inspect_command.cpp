@@ -12,13 +12,14 @@ namespace {
 constexpr const char* kHelpFooter =
     R"(Known formats: levels (.bsp versions 29, 2PSB, BSP2), maps (.map), coloured light (.lit), entity text (.ent),
 archives (.pak, .pk3, .wad), pictures, palettes and colormaps (.lmp), models (.mdl), sprites (.spr),
-recordings (.dem).
+recordings (.dem), compiled QuakeC (.dat).
 "problems" are what the game can live with; a file that it cannot use at all gives one line on standard
 error and exit status 1.
 
 Examples:
   temblor inspect quake/id1/pak0.pak
-  temblor inspect quake/id1/maps/start.bsp --json)";
+  temblor inspect quake/id1/maps/start.bsp --json
+  temblor inspect mymod/progs.dat)";
 
 // Names in files may be in any encoding; what is not UTF-8 is replaced.
 std::string dump(const Inspection& json) {

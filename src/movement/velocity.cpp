@@ -1,7 +1,6 @@
 #include "movement/velocity.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "math/angles.h"
 
@@ -30,7 +29,7 @@ math::Vec3 direction_of(const math::Vec3& v, float length) {
 
 math::Vec3 slowed_on_ground(const math::Vec3& velocity, const Settings& settings, float tick_s,
                             bool is_at_edge) {
-  const float speed = std::hypot(velocity.x, velocity.y);
+  const float speed = glm::length(math::Vec2(velocity));
   if (speed == 0) return velocity;
   const float friction = settings.friction * (is_at_edge ? settings.edge_friction : 1.0f);
   const float new_speed = speed - tick_s * std::max(speed, settings.stop_speed) * friction;
@@ -38,7 +37,7 @@ math::Vec3 slowed_on_ground(const math::Vec3& velocity, const Settings& settings
 }
 
 EdgeProbe edge_probe(const math::Vec3& origin, float mins_z, const math::Vec3& velocity) {
-  const float speed = std::hypot(velocity.x, velocity.y);
+  const float speed = glm::length(math::Vec2(velocity));
   const math::Vec3 start(origin.x + velocity.x / speed * kProbeAhead,
                          origin.y + velocity.y / speed * kProbeAhead, origin.z + mins_z);
   return {start, start - math::Vec3(0, 0, kProbeDepth)};

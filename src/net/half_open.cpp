@@ -29,7 +29,7 @@ HalfOpen* HalfOpenTable::add(const platform::Address& address, std::size_t socke
     if (now_s - oldest->began_s < kSafe_s) return nullptr;
     entries_.erase(oldest);
   }
-  return &entries_.emplace_back(HalfOpen{address, socket, now_s, Channel(settings)});
+  return &entries_.emplace_back(HalfOpen{address, socket, now_s, Channel(settings), {}});
 }
 
 void HalfOpenTable::remove(const platform::Address& address) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "net/channel.h"
@@ -15,6 +16,7 @@ struct HalfOpen {
   std::size_t socket = 0;  // which of its server's it came through
   double began_s = 0;
   Channel channel;
+  std::string word{};  // that it was asked to say (net/challenge.h); empty: it was not asked
 };
 
 class HalfOpenTable {

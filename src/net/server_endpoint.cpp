@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/check.h"
-#include "base/text.h"
 #include "net/message_writer.h"
 #include "net/wire/packet_header.h"
 
@@ -13,10 +12,6 @@ namespace {
 
 // A request to connect that comes again this soon is a repetition: the answer to the first was lost.
 constexpr double kRepeatedRequest_s = 2;
-// A peer that was disconnected and goes on is told again, this often and for so long.
-constexpr double kFarewell_s = 10, kFarewellEvery_s = 0.5;
-constexpr std::size_t kMaxFarewells = 64;
-constexpr std::size_t kMaxReasonBytes = 200;
 
 // Sends a channel's packets to its peer.
 struct SendTo {
@@ -32,21 +27,13 @@ base::ByteVector written(const ServerMessage& message) {
   return std::move(writer).take();
 }
 
-base::ByteVector farewell_message(std::string_view reason) {
-  base::ByteVector bytes;
-  if (!reason.empty()) bytes = written(Print{base::printable(reason.substr(0, kMaxReasonBytes)) + "\n"});
-  const base::ByteVector end = written(Disconnect{});
-  bytes.insert(bytes.end(), end.begin(), end.end());
-  return bytes;
-}
-
 }  // namespace
 
 ServerEndpoint::ServerEndpoint(Sockets sockets, const ServerEndpointSettings& settings, Describe describe)
     : sockets_(std::move(sockets)),
       settings_(settings),
       describe_(std::move(describe)),
-      strangers_(settings.strangers, settings.seed) {
+      strangers_(settings.strangers, settings.secret[0]) {
   CHECK(!sockets_.empty());
 }
 
@@ -70,7 +57,7 @@ void ServerEndpoint::update(double now_s) {
   half_open_.remove_older_than(settings_.half_open_s, now_s);
   for (HalfOpen& half_open : half_open_.entries())
     half_open.channel.update(now_s, SendTo{*sockets_[half_open.socket], half_open.address});
-  std::erase_if(farewells_, [&](const Farewell& farewell) { return now_s > farewell.until_s; });
+  farewells_.update(now_s);
   std::vector<ConnectionId> silent;
   for (Connection& connection : connections_) {
     connection.channel.update(now_s, SendTo{*sockets_[connection.peer.socket], connection.peer.address});
@@ -257,35 +244,37 @@ void ServerEndpoint::take_from_half_open(HalfOpen& half_open, base::Bytes packet
     if (message.error().code == base::ErrorCode::kTooLarge) half_open_.remove(half_open.address);
     return;
   }
-  const bool alive = half_open.channel.can_send_reliable() || message->has_value();
-  if (!alive || !promote(half_open)) return;
-  if (message->has_value()) keep_message(connections_.back().id, **message);
-  half_open_.remove(connections_.back().peer.address);
+  if (!message->has_value() && !half_open.channel.can_send_reliable()) return;  // no sign of life
+  const ChannelMessage said = message->value_or(ChannelMessage{});
+  if (!settings_.challenge || half_open.address.is_local()) return promote(half_open, said);
+  if (half_open.word.empty()) return ask_for_word(half_open);
+  if (const auto rest = without_word(said.bytes, half_open.word)) promote(half_open, {*rest, said.reliable});
+}
+
+void ServerEndpoint::ask_for_word(HalfOpen& half_open) {
+  half_open.word = challenge_word(settings_.secret, half_open.address, next_word_++);
+  const base::Status sent = half_open.channel.send_reliable(
+      challenge_message(half_open.word), now_s_, SendTo{*sockets_[half_open.socket], half_open.address});
+  CHECK(sent.ok());
 }
 
 void ServerEndpoint::take_from_stranger(const Peer& from) {
   ++statistics_.from_strangers;
-  for (Farewell& farewell : farewells_) {
-    if (farewell.peer.address != from.address || now_s_ - farewell.last_s < kFarewellEvery_s) continue;
-    farewell.last_s = now_s_;
-    const base::Status sent = farewell.channel.send_unreliable(
-        farewell.message, SendTo{*sockets_[farewell.peer.socket], farewell.peer.address});
-    CHECK(sent.ok());
-  }
+  farewells_.repeat(from.address, now_s_, SendTo{*sockets_[from.socket], from.address});
 }
 
-bool ServerEndpoint::promote(const HalfOpen& half_open) {
+void ServerEndpoint::promote(const HalfOpen& half_open, const ChannelMessage& said) {
   const Peer peer{half_open.address, half_open.socket};
   if (connections_.size() >= settings_.max_connections) {
     say_farewell(peer, half_open.channel, "Server is full.");
-    half_open_.remove(peer.address);
-    return false;
+  } else {
+    const ConnectionId id{next_id_++};
+    connections_.push_back({id, peer, half_open.channel, half_open.began_s, now_s_});
+    connections_.back().channel.set_sent_limits(limits_of(protocol_, peer.address.is_local()));
+    events_.push_back(PeerConnected{id, peer.address});
+    if (!said.bytes.empty()) keep_message(id, said);
   }
-  const ConnectionId id{next_id_++};
-  connections_.push_back({id, peer, half_open.channel, half_open.began_s, now_s_});
-  connections_.back().channel.set_sent_limits(limits_of(protocol_, peer.address.is_local()));
-  events_.push_back(PeerConnected{id, peer.address});
-  return true;
+  half_open_.remove(peer.address);
 }
 
 void ServerEndpoint::keep_message(ConnectionId connection, const ChannelMessage& message) {
@@ -299,7 +288,7 @@ void ServerEndpoint::open_half(const Peer& from) {
     ++statistics_.unanswered;
     return;
   }
-  std::erase_if(farewells_, [&](const Farewell& f) { return f.peer.address == from.address; });
+  farewells_.forget(from.address);
   accept(from);
   const base::Status sent =
       half_open->channel.send_reliable(written(Nop{}), now_s_, SendTo{*sockets_[from.socket], from.address});
@@ -352,13 +341,9 @@ void ServerEndpoint::lose(ConnectionId connection, std::string_view reason) {
   events_.push_back(PeerDisconnected{connection, *address, std::string(reason)});
 }
 
-void ServerEndpoint::say_farewell(Peer peer, Channel channel, std::string_view reason) {
-  if (farewells_.size() >= kMaxFarewells) farewells_.pop_front();
-  farewells_.push_back({peer, std::move(channel), farewell_message(reason), now_s_ + kFarewell_s, now_s_});
-  Farewell& farewell = farewells_.back();
-  const base::Status sent = farewell.channel.send_unreliable(
-      farewell.message, SendTo{*sockets_[peer.socket], farewell.peer.address});
-  CHECK(sent.ok());
+void ServerEndpoint::say_farewell(const Peer& peer, Channel channel, std::string_view reason) {
+  farewells_.say(peer.address, std::move(channel), reason, now_s_,
+                 SendTo{*sockets_[peer.socket], peer.address});
 }
 
 ServerEndpoint::Connection* ServerEndpoint::find(ConnectionId connection) {

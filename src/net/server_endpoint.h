@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,8 +21,10 @@
 #include <vector>
 
 #include "net/address_prefix.h"
+#include "net/challenge.h"
 #include "net/channel.h"
 #include "net/control.h"
+#include "net/farewells.h"
 #include "net/half_open.h"
 #include "net/server_description.h"
 #include "net/stranger_limits.h"
@@ -45,7 +46,12 @@ struct ServerEndpointSettings {
   Rate packets_of_connection{1000, 500};           // further ones are dropped unread
   std::size_t max_packets_between_updates = 8192;  // the rest waits
   StrangerRates strangers{};
-  std::uint64_t seed = 0;  // of StrangerLimits
+  // Whether a peer must also say a word that was sent to it (net/challenge.h) before the game hears of it: its
+  // first acknowledgement can be guessed, by a forger who would have a victim played to. Costs a round trip.
+  // Needs clients that know the console's `cmd`, as stock ones do.
+  bool challenge = false;
+  // From the system's source of chance; anything in tests.
+  Secret secret{};
 };
 
 struct PeerConnected {
@@ -145,13 +151,6 @@ class ServerEndpoint {
     double accepted_s = 0, heard_s = 0;
     TokenBucket packets{};
   };
-  // A peer that was disconnected, and may not have heard so.
-  struct Farewell {
-    Peer peer;
-    Channel channel;
-    base::ByteVector message;
-    double until_s = 0, last_s = 0;
-  };
   struct Arrived {
     Peer from;
     base::Bytes bytes;
@@ -165,9 +164,10 @@ class ServerEndpoint {
   void answer_query(const Peer& to, const ControlPacket& query, std::size_t question_bytes);
   void take_from_connection(Connection& connection, base::Bytes packet);
   void take_from_half_open(HalfOpen& half_open, base::Bytes packet);
+  void ask_for_word(HalfOpen& half_open);
   void take_from_stranger(const Peer& from);
-  // False when the server has no place for it.
-  bool promote(const HalfOpen& half_open);
+  // Makes it a connection, which has said this (if it is not empty); or tells it that there is no place.
+  void promote(const HalfOpen& half_open, const ChannelMessage& said);
   void keep_message(ConnectionId connection, const ChannelMessage& message);
 
   void open_half(const Peer& from);
@@ -180,7 +180,7 @@ class ServerEndpoint {
   void end(ConnectionId connection, std::string_view reason);
   // Ends it, with an event.
   void lose(ConnectionId connection, std::string_view reason);
-  void say_farewell(Peer peer, Channel channel, std::string_view reason);
+  void say_farewell(const Peer& peer, Channel channel, std::string_view reason);
   Connection* find(ConnectionId connection);
   const Connection* find(ConnectionId connection) const;
   Connection* find(const platform::Address& address);
@@ -193,9 +193,10 @@ class ServerEndpoint {
   Protocol protocol_ = Protocol::kNetQuake;
   double now_s_ = 0;
   std::uint32_t next_id_ = 1;
+  std::uint64_t next_word_ = 0;
   std::vector<Connection> connections_;
   HalfOpenTable half_open_;
-  std::deque<Farewell> farewells_;
+  Farewells farewells_;
   StrangerLimits strangers_;
   std::vector<AddressPrefix> bans_;
   std::string remote_password_;

@@ -1,10 +1,12 @@
-// Method: intrusive lists, one for each part and kind, so that linking, moving and unlinking cost the same
-// however many entities there are. Shape and order are those of the original, which decides who is touched
-// first.
+// Method: intrusive lists, one for each part, so that linking, moving and unlinking cost the same however
+// many entities there are. The tree of triggers is the original's, which decides who is touched first; solids
+// are looked for by every trace, and have a finer one.
 #include "server/areas.h"
 
 namespace temblor::server {
 namespace {
+
+constexpr int kTriggerCuts = 4, kSolidCuts = 8;
 
 // Boxes that share no more than a side touch. With NaN nothing does.
 bool touches(const math::Bounds& a, const math::Bounds& b) {
@@ -14,29 +16,34 @@ bool touches(const math::Bounds& a, const math::Bounds& b) {
 
 }  // namespace
 
-Areas::Areas(const math::Bounds& world_bounds) {
-  cut(0, world_bounds, kCuts);
+Areas::Areas(const math::Bounds& world_bounds)
+    : trees_{Tree(world_bounds, kSolidCuts), Tree(world_bounds, kTriggerCuts)} {}
+
+Areas::Tree::Tree(const math::Bounds& bounds, int cuts) : parts((std::size_t{2} << cuts) - 1) {
+  cut(0, bounds, cuts);
 }
 
-void Areas::cut(std::size_t part, const math::Bounds& bounds, int cuts_left) {
+void Areas::Tree::cut(std::size_t part, const math::Bounds& bounds, int cuts_left) {
   if (cuts_left == 0) return;
   const math::Vec3 size = bounds.maxs - bounds.mins;
   const int axis = size.x > size.y ? 0 : 1;
   const float distance = 0.5f * (bounds.maxs[axis] + bounds.mins[axis]);
-  parts_[part] = {axis, distance, true};
+  parts[part].axis = axis;
+  parts[part].distance = distance;
+  parts[part].is_cut = true;
   math::Bounds upper = bounds, lower = bounds;
   upper.mins[axis] = lower.maxs[axis] = distance;
   cut(2 * part + 1, upper, cuts_left - 1);
   cut(2 * part + 2, lower, cuts_left - 1);
 }
 
-std::size_t Areas::part_of(const math::Bounds& box) const {
+std::size_t Areas::Tree::part_of(const math::Bounds& box) const {
   std::size_t part = 0;
-  while (parts_[part].is_cut) {
-    const auto [axis, distance, unused] = parts_[part];
-    if (box.mins[axis] > distance)
+  while (parts[part].is_cut) {
+    const Part& here = parts[part];
+    if (box.mins[here.axis] > here.distance)
       part = 2 * part + 1;
-    else if (box.maxs[axis] < distance)
+    else if (box.maxs[here.axis] < here.distance)
       part = 2 * part + 2;
     else
       break;
@@ -48,37 +55,37 @@ void Areas::link(vm::EntityIndex entity, const math::Bounds& box, AreaKind kind)
   unlink(entity);
   const std::size_t i = base::to_size(entity);
   if (i >= links_.size()) links_.resize(i + 1);
-  const std::size_t list_index = 2 * part_of(box) + (kind == AreaKind::kTrigger ? 1 : 0);
-  List& list = lists_[list_index];
-  links_[i] = {box, list.last, kNone, static_cast<std::uint32_t>(list_index)};
+  Tree& tree = trees_[static_cast<std::size_t>(kind)];
+  const std::size_t part_index = tree.part_of(box);
+  Part& part = tree.parts[part_index];
+  links_[i] = {box, part.last, kNone, static_cast<std::uint32_t>(part_index), kind};
   const auto number = static_cast<std::uint32_t>(entity);
-  (list.last == kNone ? list.first : links_[list.last].behind) = number;
-  list.last = number;
+  (part.last == kNone ? part.first : links_[part.last].behind) = number;
+  part.last = number;
 }
 
 void Areas::unlink(vm::EntityIndex entity) {
   const std::size_t i = base::to_size(entity);
-  if (i >= links_.size() || links_[i].list == kNone) return;
+  if (i >= links_.size() || links_[i].part == kNone) return;
   const Link link = links_[i];
-  List& list = lists_[link.list];
-  (link.before == kNone ? list.first : links_[link.before].behind) = link.behind;
-  (link.behind == kNone ? list.last : links_[link.behind].before) = link.before;
-  links_[i].list = kNone;
+  Part& part = trees_[static_cast<std::size_t>(link.kind)].parts[link.part];
+  (link.before == kNone ? part.first : links_[link.before].behind) = link.behind;
+  (link.behind == kNone ? part.last : links_[link.behind].before) = link.before;
+  links_[i].part = kNone;
 }
 
 void Areas::find(const math::Bounds& box, AreaKind kind, std::vector<vm::EntityIndex>& io_found) const {
-  find_below(0, box, kind, io_found);
+  find_below(trees_[static_cast<std::size_t>(kind)], 0, box, io_found);
 }
 
-void Areas::find_below(std::size_t part, const math::Bounds& box, AreaKind kind,
+void Areas::find_below(const Tree& tree, std::size_t part_index, const math::Bounds& box,
                        std::vector<vm::EntityIndex>& io_found) const {
-  const List& list = lists_[2 * part + (kind == AreaKind::kTrigger ? 1 : 0)];
-  for (std::uint32_t i = list.first; i != kNone; i = links_[i].behind)
+  const Part& part = tree.parts[part_index];
+  for (std::uint32_t i = part.first; i != kNone; i = links_[i].behind)
     if (touches(links_[i].box, box)) io_found.push_back(vm::EntityIndex{i});
-  const auto [axis, distance, is_cut] = parts_[part];
-  if (!is_cut) return;
-  if (box.maxs[axis] > distance) find_below(2 * part + 1, box, kind, io_found);
-  if (box.mins[axis] < distance) find_below(2 * part + 2, box, kind, io_found);
+  if (!part.is_cut) return;
+  if (box.maxs[part.axis] > part.distance) find_below(tree, 2 * part_index + 1, box, io_found);
+  if (box.mins[part.axis] < part.distance) find_below(tree, 2 * part_index + 2, box, io_found);
 }
 
 }  // namespace temblor::server

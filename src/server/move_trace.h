@@ -21,6 +21,7 @@ struct EntityTrace {
 // `passing`: does not meet itself, nor its owner, nor what it owns (for the world as `passing` that is
 // everything without an owner, as in the original). A box with a width does not meet entities without one.
 // Brush models are asked by the hull that fits the size; a solid brush that has no brush model is its box.
+// The plane's distance is the hull's, as in the original: not moved along with the model or the box.
 // A path that starts within an entity and leaves it again ends where the next thing stops it; the original
 // let it pass through everything then.
 EntityTrace trace_move(GameWorld& io_world, const math::Vec3& start, const math::Vec3& mins,

@@ -14,6 +14,7 @@
 #include "formats/wad.h"
 #include "formats/wad3_texture.h"
 #include "support/game_data.h"
+#include "support/progs_builder.h"
 #include "support/room_map.h"
 #include "support/small_game.h"
 #include "support/small_models.h"
@@ -113,6 +114,33 @@ TEST_F(InspectProgram, Archives) {
   EXPECT_EQ(wad3.at("format"), "WAD3");
   EXPECT_EQ(wad3.at("lumps").at(0).at("width"), 16);
   EXPECT_TRUE(wad3.at("problems").empty());
+}
+
+TEST_F(InspectProgram, CompiledQuakeC) {
+  ProgsBuilder builder;
+  const int health = builder.named("health", formats::ProgsType::kFloat);
+  builder.builtin("dprint", 25);
+  builder.function("main", {1}, 2);
+  builder.emit(vm::Opcode::kAddF, health, health, 4);
+  builder.emit(vm::Opcode::kDone);
+  const json object = inspect("progs.dat", formats::write_progs(builder.progs()));
+  EXPECT_EQ(object.at("format"), "compiled QuakeC");
+  EXPECT_EQ(object.at("crc"), 5927);
+  EXPECT_EQ(object.at("counts").at("statements"), 3);
+  EXPECT_EQ(object.at("counts").at("functions"), 3);
+  EXPECT_EQ(object.at("functions").at(0),
+            json::parse(R"({"name": "dprint", "file": "test.qc", "built in": 25})"));
+  EXPECT_EQ(object.at("functions").at(1).at("locals"), 3);
+  EXPECT_EQ(object.at("code"),
+            json::parse(R"(["main (test.qc)", "     1  ADD_F      health, health, parm0", "     2  DONE       0"])"));
+  EXPECT_TRUE(object.at("problems").empty());
+
+  builder.progs().crc = 1;
+  builder.function("main");
+  builder.emit(vm::Opcode::kDone);
+  const std::string problems = inspect("other.dat", formats::write_progs(builder.progs())).at("problems").dump();
+  EXPECT_THAT(problems, HasSubstr("CRC 1, not 5927"));
+  EXPECT_THAT(problems, HasSubstr("functions 2 and 3 are both called"));
 }
 
 TEST_F(InspectProgram, PicturesPalettesAndColormaps) {

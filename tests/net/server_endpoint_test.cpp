@@ -182,6 +182,35 @@ TEST(ServerEndpoint, AnHalfOpenConnectionIsForgotten) {
   EXPECT_EQ(bench.server.endpoint.connections(), 0u);
 }
 
+TEST(ServerEndpoint, WhoMustSayAWordIsNotHeardBefore) {
+  Bench bench({.challenge = true, .secret = {1, 2}});
+  Stranger client(bench.network, host(2, 5000));
+  client.send(kConnect);
+  bench.tick();
+  client.received();
+  client.send(kAck);
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), IsEmpty());
+  const auto asked = client.received();
+  ASSERT_EQ(asked.size(), 1u);
+  // svc_stufftext "cmd WORD".
+  ASSERT_THAT(asked[0], ::testing::StartsWith("\0\x09\0\x19\0\0\0\x01\x09"
+                                              "cmd "s));
+  const std::string word = asked[0].substr(13, 10);
+  // Guessed acknowledgements and other words open nothing.
+  client.send("\0\x02\0\x08\0\0\0\x01"s);
+  client.send(reliable(0,
+                       "\x04"
+                       "0123456789\0"s));
+  client.send(reliable(1, "\x04prespawn\0"s));
+  client.send(reliable(2, "\x07"));
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), IsEmpty());
+  client.send(reliable(3, "\x01\x04" + word + "\n\0\x04name x\0"s));
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("+1", "1R:\x01\x04name x\0"s));
+}
+
 TEST(ServerEndpoint, AFullServerAndAnOtherVersion) {
   Bench bench({.max_connections = 1});
   Stranger first(bench.network, host(2, 1)), second(bench.network, host(3, 1));

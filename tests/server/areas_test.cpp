@@ -70,15 +70,15 @@ TEST(Areas, FindWhatAPlainListFinds) {
 TEST(Areas, FindTheLargePartsFirstAndInThemTheOrderOfLinking) {
   Areas areas(kWorld);
   // Small ones first: one in the upper half of x, one in the lower; then two across the middle.
-  areas.link(EntityIndex{1}, box_at({700, 0, 0}, 2), AreaKind::kSolid);
-  areas.link(EntityIndex{2}, box_at({-700, 0, 0}, 2), AreaKind::kSolid);
-  areas.link(EntityIndex{3}, box_at({0, 0, 0}, 50), AreaKind::kSolid);
-  areas.link(EntityIndex{4}, box_at({0, 100, 0}, 50), AreaKind::kSolid);
-  EXPECT_THAT(found_in(areas, kWorld, AreaKind::kSolid),
+  areas.link(EntityIndex{1}, box_at({700, 0, 0}, 2), AreaKind::kTrigger);
+  areas.link(EntityIndex{2}, box_at({-700, 0, 0}, 2), AreaKind::kTrigger);
+  areas.link(EntityIndex{3}, box_at({0, 0, 0}, 50), AreaKind::kTrigger);
+  areas.link(EntityIndex{4}, box_at({0, 100, 0}, 50), AreaKind::kTrigger);
+  EXPECT_THAT(found_in(areas, kWorld, AreaKind::kTrigger),
               ElementsAre(EntityIndex{3}, EntityIndex{4}, EntityIndex{1}, EntityIndex{2}));
   // Linked anew: behind the others.
-  areas.link(EntityIndex{3}, box_at({0, 0, 0}, 50), AreaKind::kSolid);
-  EXPECT_THAT(found_in(areas, kWorld, AreaKind::kSolid),
+  areas.link(EntityIndex{3}, box_at({0, 0, 0}, 50), AreaKind::kTrigger);
+  EXPECT_THAT(found_in(areas, kWorld, AreaKind::kTrigger),
               ElementsAre(EntityIndex{4}, EntityIndex{3}, EntityIndex{1}, EntityIndex{2}));
 }
 

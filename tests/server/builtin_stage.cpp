@@ -82,7 +82,7 @@ Progs stage_program() {
   return progs;
 }
 
-std::shared_ptr<const vm::Program> program() {
+std::shared_ptr<const vm::Program> own_program() {
   static const std::shared_ptr<const vm::Program> loaded = vm::Program::load(stage_program()).value();
   return loaded;
 }
@@ -95,8 +95,8 @@ std::shared_ptr<const world::Level> level() {
 
 }  // namespace
 
-Stage::Stage(const net::Dialect& dialect)
-    : machine(program()),
+Stage::Stage(const net::Dialect& dialect, std::shared_ptr<const vm::Program> program)
+    : machine(program ? std::move(program) : own_program()),
       world{.level = level(),
             .models = {{},
                        {.name = "maps/small.bsp",

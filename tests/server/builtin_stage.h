@@ -44,7 +44,8 @@ struct RawWord {
 
 class Stage {
  public:
-  explicit Stage(const net::Dialect& dialect = {});
+  // Without a program: one whose functions are the built-in functions themselves, for call().
+  explicit Stage(const net::Dialect& dialect = {}, std::shared_ptr<const vm::Program> program = nullptr);
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 

@@ -103,7 +103,11 @@ TEST(RereleasePrints, LocalsoundIsForOne) {
   EXPECT_EQ(sounds[0].entity, 2);
   EXPECT_EQ(sounds[0].sound, 1);
   EXPECT_EQ(sounds[0].attenuation, 0);
-  EXPECT_THAT(stage.error("ex_localsound", vm::kWorld, "a.wav"), HasSubstr("ex_localsound: parameter 1"));
+  for (const char* name : {"ex_localsound", "ex_sprint", "ex_centerprint"}) {
+    stage.run(name, vm::kWorld, "a.wav");
+    EXPECT_THAT(stage.error(name, RawWord{99}, "a.wav"), HasSubstr("parameter 1 is no entity"));
+  }
+  EXPECT_THAT(stage.printed, HasSubstr("builtin ex_localsound: entity 0 is no player's: it hears nothing"));
 }
 
 TEST(WriteBuiltins, NumbersAreLittleEndianLowBytes) {

@@ -1,5 +1,7 @@
 #include "server/builtins/call.h"
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "server/builtins/text_to_number.h"
 
@@ -35,6 +37,14 @@ float Call::variable(std::string_view variable_name) const {
   if (found == nullptr) return 0;
   const bool is_text = found->type == command::VariableType::kText;
   return is_text ? number_from(found->text) : static_cast<float>(found->number);
+}
+
+std::optional<std::uint16_t> Call::sound_number(std::string_view sample) const {
+  const std::vector<std::string>& sounds = game.precache.sounds;
+  const auto found = std::find(sounds.begin() + 1, sounds.end(), sample);
+  if (found != sounds.end()) return static_cast<std::uint16_t>(found - sounds.begin());
+  warn_once(fmt::format("\"{}\" was not precached", base::quotable(sample)));
+  return std::nullopt;
 }
 
 void Call::warn_once(const std::string& text) const {

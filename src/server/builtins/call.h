@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <span>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,8 +33,6 @@ class Call {
   GameWorld& world;
   vm::Machine& machine;
 
-  std::string_view name() const { return name_; }
-
   // --- Parameters; the first is 0.
   float number(int i) const { return machine.parameter_float(i); }
   int whole(int i) const { return to_whole(number(i)); }
@@ -57,6 +56,8 @@ class Call {
   }
   // 0 for a variable that there is not, and for one that holds no number.
   float variable(std::string_view variable_name) const;
+  // Of a precached sound; nothing, and a warning, for another.
+  std::optional<std::uint16_t> sound_number(std::string_view sample) const;
   void print(std::string_view text) const {
     if (game.print) game.print(text);
   }

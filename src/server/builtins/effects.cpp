@@ -1,7 +1,6 @@
 // What clients hear and see beside entities: sounds, particles, light styles.
 #include <algorithm>
 
-#include "base/text.h"
 #include "server/builtins/families.h"
 
 namespace temblor::server {
@@ -9,15 +8,6 @@ namespace {
 
 constexpr int kMaxChannel = 7;
 constexpr std::size_t kMaxPatternChars = 63;  // that stock clients have room for
-
-// The number of a precached sound; nothing, and a warning, for another.
-std::optional<std::uint16_t> sound_number(Call& io_call, std::string_view name) {
-  const std::vector<std::string>& sounds = io_call.game.precache.sounds;
-  const auto found = std::find(sounds.begin() + 1, sounds.end(), name);
-  if (found != sounds.end()) return static_cast<std::uint16_t>(found - sounds.begin());
-  io_call.warn_once(fmt::format("\"{}\" was not precached", base::quotable(name)));
-  return std::nullopt;
-}
 
 // volume and attenuation of parameters i and i + 1.
 struct Loudness {
@@ -39,7 +29,7 @@ base::Status sound(Call& io_call) {
   if (!(channel >= 0 && channel < kMaxChannel + 1))
     return io_call.error("channel {} is outside of 0 to {}", channel, kMaxChannel);
   TRY(const Loudness loud, loudness(io_call, 3));
-  const std::optional<std::uint16_t> number = sound_number(io_call, io_call.text(2));
+  const std::optional<std::uint16_t> number = io_call.sound_number(io_call.text(2));
   if (!number) return base::Ok{};
   const Edict edict = io_call.world.edicts[entity];
   const math::Vec3 middle = edict[field::kOrigin] + (edict[field::kMins] + edict[field::kMaxs]) * 0.5f;
@@ -56,7 +46,7 @@ base::Status sound(Call& io_call) {
 // ambientsound(place, sample, volume, attenuation): for as long as the level lasts.
 base::Status ambientsound(Call& io_call) {
   TRY(const Loudness loud, loudness(io_call, 2));
-  const std::optional<std::uint16_t> number = sound_number(io_call, io_call.text(1));
+  const std::optional<std::uint16_t> number = io_call.sound_number(io_call.text(1));
   if (!number) return base::Ok{};
   io_call.game.outbox.write(net::SpawnStaticSound{io_call.vector(0), *number, loud.volume, loud.attenuation},
                             io_call.game.outbox.signon());

@@ -1,19 +1,9 @@
 // Words for players and for the server's console. Several texts are joined.
 #include "server/builtins/families.h"
-#include "server/builtins/pieces.h"
+#include "server/builtins/player_text.h"
 
 namespace temblor::server {
 namespace {
-
-// Where words for parameter 0 go. Null, and a line on the console, for who is no player: the original puts up
-// with that.
-base::Result<base::ByteWriter*> listener(Call& io_call) {
-  TRY(const vm::EntityIndex entity, io_call.entity(0));
-  base::ByteWriter* const writer = io_call.game.outbox.reliable_to(entity);
-  if (writer == nullptr)
-    io_call.warn_once(fmt::format("entity {} is no player's: it hears nothing", base::to_size(entity)));
-  return writer;
-}
 
 base::Status bprint(Call& io_call) {
   Outbox& outbox = io_call.game.outbox;
@@ -27,12 +17,9 @@ base::Status sprint(Call& io_call) {
   return base::Ok{};
 }
 
-// An empty text takes the last one off the screen.
 base::Status centerprint(Call& io_call) {
   TRY(base::ByteWriter* const writer, listener(io_call));
-  const std::string text = io_call.joined_text(1);
-  if (writer != nullptr)
-    io_call.game.outbox.write(net::CenterPrint{std::string_view(text).substr(0, kMaxTextBytes)}, *writer);
+  if (writer != nullptr) write_center_text(io_call.joined_text(1), io_call.game.outbox, *writer);
   return base::Ok{};
 }
 

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "base/text.h"
 #include "server/builtins/families.h"
-#include "server/builtins/pieces.h"
+#include "server/builtins/player_text.h"
 
 namespace temblor::server {
 namespace {
@@ -41,38 +40,29 @@ base::Status ex_bprint(Call& io_call) {
 }
 
 base::Status ex_sprint(Call& io_call) {
-  TRY(const vm::EntityIndex player, io_call.player(0));
-  Outbox& outbox = io_call.game.outbox;
-  write_text<net::Print>(filled_text(io_call, 1), outbox, *outbox.reliable_to(player));
+  TRY(base::ByteWriter* const writer, listener(io_call));
+  if (writer != nullptr) write_text<net::Print>(filled_text(io_call, 1), io_call.game.outbox, *writer);
   return base::Ok{};
 }
 
 base::Status ex_centerprint(Call& io_call) {
-  TRY(const vm::EntityIndex player, io_call.player(0));
-  Outbox& outbox = io_call.game.outbox;
-  const std::string text = filled_text(io_call, 1);
-  outbox.write(net::CenterPrint{std::string_view(text).substr(0, kMaxTextBytes)},
-               *outbox.reliable_to(player));
+  TRY(base::ByteWriter* const writer, listener(io_call));
+  if (writer != nullptr) write_center_text(filled_text(io_call, 1), io_call.game.outbox, *writer);
   return base::Ok{};
 }
 
 // ex_localsound(player, sample): at full volume, wherever he is, and for him alone.
 base::Status ex_localsound(Call& io_call) {
+  TRY(base::ByteWriter* const writer, listener(io_call));
+  const std::optional<std::uint16_t> number = io_call.sound_number(io_call.text(1));
+  if (writer == nullptr || !number) return base::Ok{};
   TRY(const vm::EntityIndex player, io_call.player(0));
-  const std::vector<std::string>& sounds = io_call.game.precache.sounds;
-  const std::string_view name = io_call.text(1);
-  const auto found = std::find(sounds.begin() + 1, sounds.end(), name);
-  if (found == sounds.end()) {
-    io_call.warn_once(fmt::format("\"{}\" was not precached", base::quotable(name)));
-    return base::Ok{};
-  }
-  Outbox& outbox = io_call.game.outbox;
-  outbox.write(net::Sound{.attenuation = 0,
-                          .entity = static_cast<std::uint16_t>(player),
-                          .channel = 0,
-                          .sound = static_cast<std::uint16_t>(found - sounds.begin()),
-                          .origin = io_call.world.edicts[player][field::kOrigin]},
-               *outbox.reliable_to(player));
+  io_call.game.outbox.write(net::Sound{.attenuation = 0,
+                                       .entity = static_cast<std::uint16_t>(player),
+                                       .channel = 0,
+                                       .sound = *number,
+                                       .origin = io_call.world.edicts[player][field::kOrigin]},
+                            *writer);
   return base::Ok{};
 }
 

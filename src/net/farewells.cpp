@@ -1,0 +1,51 @@
+#include "net/farewells.h"
+
+#include <string>
+#include <utility>
+
+#include "base/check.h"
+#include "base/text.h"
+#include "net/message_writer.h"
+
+namespace temblor::net {
+namespace {
+
+constexpr std::size_t kMaxReasonBytes = 200;
+
+base::ByteVector farewell_message(std::string_view reason) {
+  base::ByteWriter writer;
+  const std::string text = base::printable(reason.substr(0, kMaxReasonBytes)) + "\n";
+  if (!reason.empty()) CHECK(write_message(Print{text}, Dialect{}, writer).ok());
+  CHECK(write_message(Disconnect{}, Dialect{}, writer).ok());
+  return std::move(writer).take();
+}
+
+}  // namespace
+
+void Farewells::say(const platform::Address& peer, Channel channel, std::string_view reason, double now_s,
+                    Channel::Sink sink) {
+  if (farewells_.size() >= kMost) farewells_.pop_front();
+  farewells_.push_back({peer, std::move(channel), farewell_message(reason), now_s + kLife_s, now_s});
+  send(farewells_.back(), now_s, sink);
+}
+
+void Farewells::repeat(const platform::Address& peer, double now_s, Channel::Sink sink) {
+  for (Farewell& farewell : farewells_)
+    if (farewell.peer == peer && now_s - farewell.said_s >= kEvery_s) send(farewell, now_s, sink);
+}
+
+void Farewells::forget(const platform::Address& peer) {
+  std::erase_if(farewells_, [&](const Farewell& farewell) { return farewell.peer == peer; });
+}
+
+void Farewells::update(double now_s) {
+  std::erase_if(farewells_, [&](const Farewell& farewell) { return now_s > farewell.until_s; });
+}
+
+void Farewells::send(Farewell& io_farewell, double now_s, Channel::Sink sink) {
+  io_farewell.said_s = now_s;
+  const base::Status sent = io_farewell.channel.send_unreliable(io_farewell.message, sink);
+  CHECK(sent.ok());
+}
+
+}  // namespace temblor::net
