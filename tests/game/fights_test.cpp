@@ -1,0 +1,112 @@
+// Each kind of monster against a player, in a stock level: it finds him and hurts him; he kills it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "game/open_ground.h"
+#include "support/game_data.h"
+
+namespace temblor::test {
+namespace {
+
+using ::testing::IsEmpty;
+namespace field = server::field;
+
+const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "quakec/progs.dat";
+constexpr float kDegree = std::numbers::pi_v<float> / 180;
+
+void aim_at(PlayedLevel& io_game, std::uint32_t monster) {
+  const math::Vec3 way = io_game.edict(monster)[field::kOrigin] - io_game.player(0)[field::kOrigin];
+  const float flat = std::hypot(way[0], way[1]);
+  io_game.input(0).command.view_angles_deg = {-std::atan2(way[2], flat) / kDegree,
+                                              std::atan2(way[1], way[0]) / kDegree, 0};
+}
+
+// Seconds until the player has lost health; over `longest`: he has not.
+double time_to_be_hurt(PlayedLevel& io_game, double longest) {
+  const double begin = io_game.time_s();
+  const float health = io_game.player(0)[field::kHealth];
+  while (io_game.time_s() < begin + longest && io_game.player(0)[field::kHealth] == health) io_game.tick();
+  return io_game.time_s() - begin;
+}
+
+void shoot_dead(PlayedLevel& io_game, std::uint32_t monster, float weapon_impulse, double longest) {
+  const server::Edict player = io_game.player(0);
+  player.set_flag(server::flag::kGodMode);
+  player.set(field::kItems, 127 + 4096);
+  player.set(field::kImpulse, weapon_impulse);
+  const double begin = io_game.time_s();
+  while (io_game.time_s() < begin + longest && io_game.global("killed_monsters") < 1) {
+    for (const auto ammo : {field::kAmmoShells, field::kAmmoNails, field::kAmmoRockets})
+      player.set(ammo, 100);
+    aim_at(io_game, monster);
+    io_game.input(0).buttons = kAttack;
+    io_game.tick();
+  }
+  io_game.input(0).buttons = 0;
+}
+
+class Fights : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Fights, MonstersFindAndHurtAPlayerAndDieOfHisShots) {
+  DATA_FOLDER_OR_SKIP(data);
+  PlayedLevel game(data, "lqdm1", kProgs);
+  game.join(0);
+  game.run(1);
+  const float yaw = take_a_stand(game);
+  game.player(0).set(field::kHealth, 200);
+  const math::Vec3 place = game.player(0)[field::kOrigin] + direction_of(yaw) * kOpenGround;
+  const std::uint32_t monster = game.spawn(GetParam(), place, yaw + 180);
+
+  EXPECT_LT(time_to_be_hurt(game, 30), 30);
+
+  // Of what does it die? Zombies of explosions only.
+  shoot_dead(game, monster, GetParam() == "monster_zombie" ? 7.0f : 3.0f, 60);
+  EXPECT_EQ(game.global("killed_monsters"), 1);
+  EXPECT_EQ(game.global("total_monsters"), 1);
+  game.run(5);
+  EXPECT_THAT(game.printed(), IsEmpty());
+  EXPECT_THAT(game.errors(), IsEmpty());
+}
+
+TEST_P(Fights, MonstersLeaveThoseAloneWhomTheyDoNotNotice) {
+  DATA_FOLDER_OR_SKIP(data);
+  PlayedLevel game(data, "lqdm1", kProgs);
+  game.join(0);
+  game.run(1);
+  const float yaw = take_a_stand(game);
+  game.player(0).set_flag(server::flag::kNoTarget);
+  const math::Vec3 place = game.player(0)[field::kOrigin] + direction_of(yaw) * kOpenGround;
+  game.spawn(GetParam(), place, yaw + 180);
+  EXPECT_GE(time_to_be_hurt(game, 15), 15);
+  EXPECT_THAT(game.errors(), IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Fights,
+                         ::testing::Values("monster_army", "monster_dog", "monster_knight", "monster_ogre",
+                                           "monster_wizard", "monster_enforcer", "monster_demon1",
+                                           "monster_shambler", "monster_zombie", "monster_hell_knight",
+                                           "monster_shalrath", "monster_tarbaby"),
+                         [](const auto& kind) { return kind.param; });
+
+TEST(Quarrels, AMonsterThatIsHitByAnotherKindTurnsAgainstIt) {
+  DATA_FOLDER_OR_SKIP(data);
+  PlayedLevel game(data, "lqdm1", kProgs);
+  game.join(0);
+  game.run(1);
+  const float yaw = take_a_stand(game);
+  game.player(0).set_flag(server::flag::kNoTarget);
+  const math::Vec3 here = game.player(0)[field::kOrigin];
+  const std::uint32_t ogre = game.spawn("monster_ogre", here + direction_of(yaw) * kOpenGround, yaw);
+  const std::uint32_t knight = game.spawn("monster_knight", here + direction_of(yaw) * 120.0f, yaw);
+  game.run(2);
+  game.hurt(ogre, knight, 10);
+  game.run(0.2);
+  EXPECT_EQ(game.edict(ogre)[field::kEnemy], game.edict(knight).index());
+  EXPECT_THAT(game.errors(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace temblor::test
