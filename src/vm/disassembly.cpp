@@ -19,24 +19,23 @@ std::string describe_vector(const formats::Progs& progs, std::size_t word) {
 }
 
 // What a constant is: its value at load, which nothing changes.
-std::string describe_constant(const formats::Progs& progs, std::size_t word, OperandKind kind) {
+std::string describe_constant(const formats::Progs& progs, std::size_t word, formats::ProgsType type) {
   const std::uint32_t value = progs.global_words[word];
-  if (kind == OperandKind::kVector) return describe_vector(progs, word);
-  if (kind == OperandKind::kString && value < progs.strings.size())
+  if (type == formats::ProgsType::kVector) return describe_vector(progs, word);
+  if (type == formats::ProgsType::kString && value < progs.strings.size())
     return fmt::format("\"{}\"", base::quotable(progs.string_at(value)));
-  if (kind == OperandKind::kFloat || kind == OperandKind::kAny)
-    return fmt::format("{:g}", std::bit_cast<float>(value));
+  if (type == formats::ProgsType::kFloat) return fmt::format("{:g}", std::bit_cast<float>(value));
   return fmt::format("{:#x}", value);
 }
 
-std::string describe_global(const Program& program, std::size_t word, OperandKind kind) {
+std::string describe_global(const Program& program, std::size_t word) {
   if (word == 1) return "return";
   if (word >= 4 && word < formats::kReservedGlobalWords && (word - 4) % 3 == 0)
     return fmt::format("parm{}", (word - 4) / 3);
   const formats::ProgsDefinition* definition = program.global_at(word);
   if (definition == nullptr) return fmt::format("{}", word);
   const std::string_view name = program.progs().string_at(definition->name);
-  return name == kConstant || name.empty() ? describe_constant(program.progs(), word, kind)
+  return name == kConstant || name.empty() ? describe_constant(program.progs(), word, definition->type)
                                            : base::quotable(name);
 }
 
@@ -55,7 +54,7 @@ std::string describe_statement(const Program& program, std::size_t statement) {
       line += fmt::format(
           "to {}", static_cast<std::ptrdiff_t>(statement) + static_cast<std::int16_t>(source.operands[i]));
     else
-      line += describe_global(program, source.operands[i], info.operands[i]);
+      line += describe_global(program, source.operands[i]);
   }
   return line;
 }
