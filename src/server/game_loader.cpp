@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/hash.h"
+#include "formats/lno.h"
 #include "formats/progs.h"
 #include "server/signon.h"
 #include "server/snapshot.h"
@@ -21,23 +22,30 @@ net::Dialect dialect_of(net::Protocol protocol) {
   return {protocol, protocol == net::Protocol::kRmq ? kRmqFlags : 0};
 }
 
-base::Result<std::shared_ptr<const vm::Program>> make_program(base::Bytes bytes, const std::string& name) {
+// `lines`: what fteqcc wrote beside the program, if it did; one that is another program's is left out.
+base::Result<std::shared_ptr<const vm::Program>> make_program(base::Bytes bytes, const std::string& name,
+                                                              const base::Result<base::ByteVector>& lines) {
   TRY(formats::Progs progs, formats::read_progs(bytes).with_file(name));
-  return vm::Program::load(std::move(progs)).with_file(name);
+  std::vector<std::uint32_t> line_numbers;
+  if (lines.ok()) {
+    if (auto read = formats::read_lno(*lines, progs); read.ok()) line_numbers = std::move(read).value();
+  }
+  return vm::Program::load(std::move(progs), std::move(line_numbers)).with_file(name);
 }
 
 base::Result<std::shared_ptr<const vm::Program>> load_program(const vfs::FileSystem& files,
                                                               const std::filesystem::path& file) {
   if (!file.empty()) {
     TRY(const base::ByteVector bytes, vfs::read_disk_file(file));
-    return make_program(bytes, file.string());
+    std::filesystem::path lines = file;
+    return make_program(bytes, file.string(), vfs::read_disk_file(lines.replace_extension(".lno")));
   }
   if (!files.contains(kProgramName))
     return base::error(base::ErrorCode::kNotFound,
                        "there is no {} in the game folders: without the game's code there is no game",
                        kProgramName);
   TRY(const base::ByteVector bytes, files.read(kProgramName));
-  return make_program(bytes, files.describe(kProgramName));
+  return make_program(bytes, files.describe(kProgramName), files.read("progs.lno"));
 }
 
 // What this dialect cannot say of the game; nothing when it can say all.
@@ -70,22 +78,26 @@ base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVaria
   for (const net::Protocol protocol : kOldestFirst) {
     const std::optional<net::Protocol> wanted = settings.protocol();
     if (wanted && *wanted != protocol) continue;
-    TRY(result.game, Game::start({.program = program,
-                                  .level = loaded.level,
-                                  .level_hash = base::hash_of_bytes(level_bytes),
-                                  .map_name = request.map,
-                                  .dialect = dialect_of(protocol),
-                                  .max_clients = request.max_clients,
-                                  .kind = request.kind,
-                                  .skill = request.skill,
-                                  .server_flags = request.server_flags,
-                                  .seed = request.seed,
-                                  .tick_s = settings.tick_s(),
-                                  .settings = settings.physics()},
-                                 services));
+    const bool is_last = wanted || protocol == kOldestFirst.back();
+    base::Result<std::unique_ptr<Game>> game = Game::start({.program = program,
+                                                            .level = loaded.level,
+                                                            .level_hash = base::hash_of_bytes(level_bytes),
+                                                            .map_name = request.map,
+                                                            .dialect = dialect_of(protocol),
+                                                            .max_clients = request.max_clients,
+                                                            .kind = request.kind,
+                                                            .skill = request.skill,
+                                                            .server_flags = request.server_flags,
+                                                            .seed = request.seed,
+                                                            .tick_s = settings.tick_s(),
+                                                            .settings = settings.physics()},
+                                                           services);
+    // More models or sounds than it has numbers for, perhaps.
+    if (!game.ok() && !is_last) continue;
+    if (!game.ok()) return game.error();
+    result.game = std::move(game).value();
     const std::optional<std::string> reason = reason_against(*result.game);
     if (!reason) break;
-    const bool is_last = wanted || protocol == kOldestFirst.back();
     if (is_last)
       result.notes.push_back(
           fmt::format("protocol {} cannot say all of it: {}", static_cast<int>(protocol), *reason));
