@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "base/bytes.h"
 #include "base/check.h"
 #include "formats/sav.h"
 

@@ -7,6 +7,7 @@ namespace {
 
 constexpr int kMovesLeftOut = 2;
 constexpr std::size_t kMaxCommandsKept = 1000;
+constexpr std::size_t kMaxSentBytes = 4000;  // and the line that is begun: within what any server takes
 
 }  // namespace
 
@@ -91,22 +92,26 @@ void Connection::run_stuffed_commands() {
     else if (commands_.size() < kMaxCommandsKept)
       commands_.push_back(std::move(line));
   }
+  state_.events().commands.clear();
 }
 
 void Connection::send_command(std::string_view line) {
-  to_send_.emplace_back(line);
+  // A server that asks for more than it listens to is not answered.
+  if (to_send_.size() < kMaxCommandsKept) to_send_.emplace_back(line);
 }
 
 void Connection::send_waiting() {
   if (to_send_.empty() || !endpoint_.can_send_reliable()) return;
   base::ByteWriter writer;
-  for (const std::string& line : to_send_) {
+  std::size_t taken = 0;
+  for (; taken < to_send_.size() && writer.size() < kMaxSentBytes; ++taken) {
+    const std::string& line = to_send_[taken];
     // A line that is too long to be said is not said.
     const base::Status written =
         net::write_client_message(net::StringCommand{line}, reader_.dialect().protocol, writer);
     if (!written.ok()) continue;
   }
-  to_send_.clear();
+  to_send_.erase(to_send_.begin(), to_send_.begin() + static_cast<std::ptrdiff_t>(taken));
   if (writer.size() == 0) return;
   if (const base::Status sent = endpoint_.send_reliable(std::move(writer).take()); !sent.ok()) {
     lost_because_ = sent.error().message();

@@ -111,6 +111,8 @@ class ServerEndpoint {
   // Everybody, as when the server ends.
   void disconnect_all(std::string_view reason);
 
+  // Seconds of silence after which a connection ends, from here on.
+  void set_timeout(double timeout_s) { settings_.timeout_s = timeout_s; }
   // What peers take in one message, from here on (limits_of).
   void set_protocol(Protocol protocol);
   MessageLimits limits_to(ConnectionId connection) const;

@@ -1,6 +1,7 @@
 #include "server/baselines.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace temblor::server {
 namespace {
@@ -43,13 +44,20 @@ std::uint8_t sent_u8(float value) {
   return static_cast<std::uint8_t>(sent_u16(value) & 255);
 }
 
+math::Vec3 finite(const math::Vec3& value) {
+  math::Vec3 result = value;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!std::isfinite(result[axis])) result[axis] = 0;
+  return result;
+}
+
 net::Baseline look_of(const Edict& edict, const LookFields& fields) {
   return {.model = sent_u16(edict[field::kModelIndex]),
           .frame = sent_u16(edict[field::kFrame]),
           .colormap = sent_u8(edict[field::kColorMap]),
           .skin = sent_u8(edict[field::kSkin]),
-          .origin = edict[field::kOrigin],
-          .angles_deg = edict[field::kAngles],
+          .origin = finite(edict[field::kOrigin]),
+          .angles_deg = finite(edict[field::kAngles]),
           .alpha = alpha_of(edict, fields),
           .scale = scale_of(edict, fields)};
 }

@@ -28,6 +28,9 @@ float scale_of(const Edict& edict, const LookFields& fields);
 std::uint16_t sent_u16(float value);
 std::uint8_t sent_u8(float value);
 
+// A vector without what is no number: 0 in its place.
+math::Vec3 finite(const math::Vec3& value);
+
 // How the entity looks now.
 net::Baseline look_of(const Edict& edict, const LookFields& fields);
 

@@ -32,6 +32,13 @@ struct Requests {
   static constexpr std::size_t kMaxCommandBytes = std::size_t{1} << 16;
   std::string commands;
   std::optional<std::string> change_level;  // the first of a level wins
+  // clientcommand: to be done as if the program had not seen it, when it has returned.
+  static constexpr std::size_t kMaxPlayerCommands = 64;
+  struct PlayerCommand {
+    vm::EntityIndex player{};
+    std::string line;
+  };
+  std::vector<PlayerCommand> player_commands{};
 };
 
 struct BuiltinContext {

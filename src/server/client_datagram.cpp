@@ -13,9 +13,11 @@ constexpr int kSwimmingLevel = 2;
 // Upper bits of items: what the mission packs added, or the runes of finished episodes.
 std::uint32_t items_of(Game& io_game, const Edict& edict) {
   const auto items = static_cast<std::uint32_t>(edict.whole(field::kItems));
+  const float flags = io_game.server_flags();
+  const auto runes = static_cast<std::uint32_t>(flags >= 0 && flags < 16 ? flags : 0.0f);
   if (const auto items2 = io_game.items2_field())
     return items | static_cast<std::uint32_t>(edict.whole(*items2)) << 23;
-  return items | static_cast<std::uint32_t>(io_game.server_flags()) << 28;
+  return items | runes << 28;
 }
 
 std::uint16_t number_of_model(Game& io_game, const Edict& edict) {
@@ -102,29 +104,34 @@ void write_own_events(Game& io_game, std::size_t slot, base::ByteWriter& io_writ
     edict.set(field::kDamageSaved, 0.0f);
   }
   if (edict[field::kFixAngle] != 0) {
-    io_game.outbox().write(net::SetAngle{edict[field::kAngles]}, io_writer);
+    io_game.outbox().write(net::SetAngle{finite(edict[field::kAngles])}, io_writer);
     edict.set(field::kFixAngle, 0.0f);
   }
 }
 
 net::ClientData client_data_of(Game& io_game, std::size_t slot) {
   const Edict edict = io_game.player(slot);
-  return {.view_height = edict[field::kViewOffset].z,
-          .ideal_pitch_deg = edict[field::kIdealPitch],
-          .punch_deg = edict[field::kPunchAngle],
-          .velocity = edict[field::kVelocity],
+  // Protocol 15 has a byte for each; what is above it loses its upper bits, as stock servers have it.
+  const bool is_stock = io_game.setup().dialect.protocol == net::Protocol::kNetQuake;
+  const auto number = [&](Field<float> f) {
+    return is_stock ? std::uint16_t{sent_u8(edict[f])} : sent_u16(edict[f]);
+  };
+  return {.view_height = finite(edict[field::kViewOffset]).z,
+          .ideal_pitch_deg = finite(math::Vec3{edict[field::kIdealPitch]}).x,
+          .punch_deg = finite(edict[field::kPunchAngle]),
+          .velocity = finite(edict[field::kVelocity]),
           .items = items_of(io_game, edict),
           .on_ground = edict.has_flag(flag::kOnGround),
           .in_water = edict[field::kWaterLevel] >= kSwimmingLevel,
-          .weapon_frame = sent_u16(edict[field::kWeaponFrame]),
-          .armor = sent_u16(edict[field::kArmorValue]),
+          .weapon_frame = number(field::kWeaponFrame),
+          .armor = number(field::kArmorValue),
           .weapon_model = number_of_model(io_game, edict),
           .health = sent_i16(edict[field::kHealth]),
-          .ammo = sent_u16(edict[field::kCurrentAmmo]),
-          .shells = sent_u16(edict[field::kAmmoShells]),
-          .nails = sent_u16(edict[field::kAmmoNails]),
-          .rockets = sent_u16(edict[field::kAmmoRockets]),
-          .cells = sent_u16(edict[field::kAmmoCells]),
+          .ammo = number(field::kCurrentAmmo),
+          .shells = number(field::kAmmoShells),
+          .nails = number(field::kAmmoNails),
+          .rockets = number(field::kAmmoRockets),
+          .cells = number(field::kAmmoCells),
           .active_weapon = sent_u8(edict[field::kWeapon])};
 }
 

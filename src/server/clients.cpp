@@ -6,6 +6,12 @@
 #include "net/message_writer.h"
 
 namespace temblor::server {
+namespace {
+
+// Stock clients read no longer text in one message.
+constexpr std::size_t kMaxPrintChars = 1000;
+
+}  // namespace
 
 float Client::ping() const {
   const std::size_t count = std::min(ping_count, pings_s.size());
@@ -34,6 +40,7 @@ std::size_t Clients::connected() const {
 void Clients::queue(std::size_t slot, base::Bytes bytes) {
   Client& client = clients_[slot];
   if (bytes.empty() || client.is_free()) return;
+  if (slot == listened_to_) heard_.insert(heard_.end(), bytes.begin(), bytes.end());
   const bool joins = !client.waiting.empty() && client.waiting.back().may_grow &&
                      client.waiting.back().bytes.size() + bytes.size() <= max_message_bytes_;
   if (joins) {
@@ -64,11 +71,18 @@ void Clients::tell_everyone(const net::ServerMessage& message) {
   for (std::size_t slot = 0; slot < clients_.size(); ++slot) tell(slot, message);
 }
 
-void Clients::print(std::size_t slot, std::string_view text) {
-  tell(slot, net::Print{text});
+void Clients::listen_to(std::optional<std::size_t> slot) {
+  listened_to_ = slot;
+  heard_.clear();
 }
+
+void Clients::print(std::size_t slot, std::string_view text) {
+  for (; !text.empty(); text.remove_prefix(std::min(text.size(), kMaxPrintChars)))
+    tell(slot, net::Print{text.substr(0, kMaxPrintChars)});
+}
+
 void Clients::print_everyone(std::string_view text) {
-  tell_everyone(net::Print{text});
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot) print(slot, text);
 }
 
 void Clients::set_dialect(const net::Dialect& dialect, std::size_t max_message_bytes) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "net/server_endpoint.h"
@@ -39,6 +40,10 @@ class Clients {
   void set_dialect(const net::Dialect& dialect, std::size_t max_message_bytes);
   const net::Dialect& dialect() const { return dialect_; }
 
+  // Keeps what is queued for this client, but for what is queued alone, until it is taken: for recordings.
+  void listen_to(std::optional<std::size_t> slot);
+  base::ByteVector take_heard() { return std::exchange(heard_, {}); }
+
   // Gives each connection its next message if it is ready for one.
   void send_waiting();
   void send_unreliable(std::size_t slot, base::Bytes bytes);
@@ -50,6 +55,8 @@ class Clients {
   std::vector<Client> clients_;
   net::Dialect dialect_{};
   std::size_t max_message_bytes_ = 8000;
+  std::optional<std::size_t> listened_to_;
+  base::ByteVector heard_;
 };
 
 }  // namespace temblor::server

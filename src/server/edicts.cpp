@@ -37,7 +37,6 @@ base::Result<vm::EntityIndex> Edicts::spawn(double time_s) {
       state.is_free = false;
       state.leafs.clear();
       state.is_in_too_many_leafs = false;
-      state.baseline = {};
       --free_count_;
       return index;
     }

@@ -29,13 +29,17 @@ class Game::Calls final : public GameCalls {
     machine_.set_global_entity(global::kOther, other);
     machine_.set_global_float(global::kTime, static_cast<float>(time_s));
     const base::Status status = machine_.call(function);
+    if (!status.ok() && !failed_self_) failed_self_ = machine_.global_entity(global::kSelf);
     machine_.set_global_entity(global::kSelf, old_self);
     machine_.set_global_entity(global::kOther, old_other);
     return status;
   }
 
+  std::optional<vm::EntityIndex> failed_self() const { return failed_self_; }
+
  private:
   vm::Machine& machine_;
+  std::optional<vm::EntityIndex> failed_self_;  // of the first failure, innermost
 };
 
 Game::Game(GameSetup setup, GameServices services)
@@ -69,7 +73,11 @@ Game::Game(GameSetup setup, GameServices services)
           .spawn_parameters = std::vector<SpawnParameters>(setup_.max_clients),
           .load_model = [this](std::string_view name) { return load_server_model(services_.library, name); },
           .print = services_.print,
-          .client_command = services_.client_command},
+          .client_command =
+              [this](vm::EntityIndex player, std::string_view line) {
+                if (requests_.player_commands.size() < Requests::kMaxPlayerCommands)
+                  requests_.player_commands.push_back({player, std::string(line)});
+              }},
       items2_field_(float_field(*setup_.program, "items2")),
       look_fields_(*setup_.program) {
   add_builtins(machine_, context_);
@@ -225,6 +233,14 @@ void Game::send_sound(const PhysicsSound& sound) {
                               .sound = static_cast<std::uint16_t>(found - names.begin()),
                               .origin = middle},
                    middle);
+}
+
+Game::~Game() = default;
+
+std::optional<std::size_t> Game::blamed_player() const {
+  const std::optional<vm::EntityIndex> self = calls_->failed_self();
+  if (!self || !world_.edicts.is_client(*self)) return std::nullopt;
+  return base::to_size(*self) - 1;
 }
 
 std::uint64_t Game::state_hash() const {

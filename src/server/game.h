@@ -51,7 +51,6 @@ struct GameServices {
   command::Variables& io_variables;
   std::function<void(std::string_view text)> print;
   std::filesystem::path data_folder{};
-  std::function<void(vm::EntityIndex player, std::string_view command)> client_command{};
 };
 
 // What a player's client asked for since the last tick.
@@ -70,6 +69,7 @@ class Game {
   // The same up to the spawning of entities, which a saved game brings with it.
   static base::Result<std::unique_ptr<Game>> prepare(GameSetup setup, GameServices services);
 
+  ~Game();
   Game(const Game&) = delete;
   Game& operator=(const Game&) = delete;
 
@@ -114,6 +114,8 @@ class Game {
   // From a saved game: the first player's.
   void restore_environment(const world::LightStylePatterns& styles, const SpawnParameters& parameters);
   std::optional<Field<float>> items2_field() const { return items2_field_; }
+  // After a failure: the player on whose behalf QuakeC ran, if it was one's.
+  std::optional<std::size_t> blamed_player() const;
   const LookFields& look_fields() const { return look_fields_; }
   // Of everything that the game goes on from: the same inputs give the same.
   std::uint64_t state_hash() const;
@@ -133,7 +135,7 @@ class Game {
   GameSetup setup_;
   GameServices services_;
   vm::Machine machine_;
-  std::unique_ptr<GameCalls> calls_;
+  std::unique_ptr<Calls> calls_;
   GameWorld world_;
   Outbox outbox_;
   Precache precache_;

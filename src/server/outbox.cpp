@@ -3,6 +3,16 @@
 #include "net/message_writer.h"
 
 namespace temblor::server {
+namespace {
+
+// Of the entity that the message begins or is heard from; 0 for others.
+std::uint32_t number_in(const net::ServerMessage& message) {
+  if (const auto* sound = std::get_if<net::Sound>(&message)) return sound->entity;
+  if (const auto* baseline = std::get_if<net::SpawnBaseline>(&message)) return baseline->number;
+  return 0;
+}
+
+}  // namespace
 
 Outbox::Outbox(const net::Dialect& dialect, std::uint32_t client_count)
     : dialect_(dialect), players_(client_count) {}
@@ -14,6 +24,10 @@ base::ByteWriter* Outbox::reliable_to(vm::EntityIndex player) {
 
 void Outbox::write(const net::ServerMessage& message, base::ByteWriter& io_writer) {
   const std::size_t before = io_writer.size();
+  if (dialect_.protocol == net::Protocol::kNetQuake && number_in(message) >= kMaxEntitiesOfProtocol15) {
+    ++dropped_;
+    return;
+  }
   const bool is_written = net::write_message(message, dialect_, io_writer).ok();
   const bool is_said = is_written && io_writer.size() > before && has_room(io_writer, 0);
   if (is_said) return;

@@ -12,6 +12,9 @@
 
 namespace temblor::server {
 
+// As many entities as a client of protocol 15 knows: numbers below this.
+constexpr std::uint32_t kMaxEntitiesOfProtocol15 = 600;
+
 // Where QuakeC's Write functions write, by their numbers.
 enum class Destination : int { kBroadcast = 0, kOne = 1, kAll = 2, kInit = 3 };
 

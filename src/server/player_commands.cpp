@@ -46,6 +46,13 @@ int whole_number(std::string_view text) {
   return value;
 }
 
+// Without characters that would begin another line, or colour this one as the server's.
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  std::erase_if(line, [](char c) { return static_cast<unsigned char>(c) < 32; });
+  return line;
+}
+
 void name_command(const Caller& caller) {
   if (caller.words.size() < 2) return caller.print(fmt::format("\"name\" is \"{}\"\n", caller.client().name));
   Client& client = caller.client();
@@ -74,7 +81,7 @@ void color_command(const Caller& caller) {
 }
 
 void say(const Caller& caller, bool to_team) {
-  const std::string_view said = caller.rest().substr(0, kMaxSayChars);
+  const std::string said = one_line(caller.rest().substr(0, kMaxSayChars));
   if (said.empty()) return;
   // A first character of 1 makes clients show the line as something that was said.
   const std::string text = to_team ? fmt::format("\1({}): {}\n", caller.client().name, said)
@@ -95,8 +102,8 @@ void tell_command(const Caller& caller) {
       continue;
     const std::string_view said =
         caller.rest().substr(std::min(caller.words[1].size(), caller.rest().size()));
-    caller.server.clients().print(slot,
-                                  fmt::format("{}:{}\n", caller.client().name, said.substr(0, kMaxSayChars)));
+    caller.server.clients().print(
+        slot, fmt::format("{}:{}\n", caller.client().name, one_line(said.substr(0, kMaxSayChars))));
     return;
   }
   caller.print(fmt::format("there is no player \"{}\"\n", caller.words[1]));
@@ -125,6 +132,7 @@ void ping_command(const Caller& caller) {
 }
 
 void pause_command(const Caller& caller) {
+  if (!caller.server.settings().is_pausable()) return caller.print("Pause is not allowed here.\n");
   caller.server.set_paused(!caller.server.is_paused());
   caller.server.clients().print_everyone(fmt::format("{} {} the game\n", caller.client().name,
                                                      caller.server.is_paused() ? "paused" : "unpaused"));

@@ -13,13 +13,16 @@ base::Result<Recorder> Recorder::begin(Game& io_game, std::span<const Client> cl
   recorder.add(angles, level);
   TRY(const std::vector<base::ByteVector> beginning, beginning_messages(io_game));
   for (const base::ByteVector& part : beginning) recorder.add(angles, part);
-  recorder.add(angles, state_message(io_game, clients, slot));
+  TRY(const std::vector<base::ByteVector> state, state_messages(io_game, clients, slot));
+  for (const base::ByteVector& part : state) recorder.add(angles, part);
   return recorder;
 }
 
 void Recorder::add(const math::Vec3& view_angles_deg, base::Bytes messages) {
   // What is too long for one record was too long for the client as well.
-  if (!messages.empty() && messages.size() <= formats::kMaxDemMessage) writer_.add(view_angles_deg, messages);
+  if (messages.empty() || messages.size() > formats::kMaxDemMessage || is_full()) return;
+  writer_.add(view_angles_deg, messages);
+  bytes_ += messages.size();
 }
 
 base::ByteVector Recorder::finish() && {

@@ -18,6 +18,9 @@ class Recorder {
                                       std::filesystem::path file);
 
   std::size_t slot() const { return slot_; }
+  // It is held in memory until it is finished; what comes when it is full is left out.
+  static constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
+  bool is_full() const { return bytes_ >= kMaxBytes; }
   const std::filesystem::path& file() const { return file_; }
   // What this player is told in one tick.
   void add(const math::Vec3& view_angles_deg, base::Bytes messages);
@@ -27,6 +30,7 @@ class Recorder {
  private:
   Recorder(std::size_t slot, std::filesystem::path file) : slot_(slot), file_(std::move(file)) {}
   std::size_t slot_;
+  std::size_t bytes_ = 0;
   std::filesystem::path file_;
   formats::DemWriter writer_;
 };

@@ -44,12 +44,7 @@ GameServices Server::services() {
   return {.library = setup_.library,
           .io_variables = setup_.settings.variables(),
           .print = setup_.print,
-          .data_folder = setup_.write_folder.empty() ? "" : setup_.write_folder / "data",
-          .client_command = [this](vm::EntityIndex player, std::string_view line) {
-            // A command that is not there was already answered.
-            if (const std::size_t slot = base::to_size(player) - 1; slot < clients_.size())
-              run_player_command(*this, slot, line);
-          }};
+          .data_folder = setup_.write_folder.empty() ? "" : setup_.write_folder / "data"};
 }
 
 GameRequest Server::request_for(std::string_view map) const {
@@ -71,8 +66,9 @@ base::Status Server::replace_game(const GameRequest& request) {
 void Server::take_up(LoadedGame loaded) {
   game_ = std::move(loaded.game);
   const GameSetup& game = game_->setup();
+  setup_.settings.set_kind(game.kind);
   for (const std::string& note : loaded.notes) print(fmt::format("{}: {}\n", game.map_name, note));
-  recorder_.reset();
+  if (recorder_) print_if_error(stop_recording());
   is_paused_ = false;
   goes_on_.assign(clients_.size(), false);
   unplayed_s_ = 0;
@@ -92,31 +88,29 @@ void Server::take_up(LoadedGame loaded) {
 }
 
 base::Status Server::start_map(std::string_view map) {
-  TRY_STATUS(replace_game(request_for(map)));
-  for (Client& client : clients_.all()) {
-    if (client.is_free()) continue;
-    TRY(client.parameters, game_->new_parameters());
-  }
+  TRY(LoadedGame loaded, load_game(request_for(map), setup_.settings, services()));
+  TRY(const SpawnParameters parameters, loaded.game->new_parameters());
+  take_up(std::move(loaded));
+  for (Client& client : clients_.all()) client.parameters = parameters;
   return base::Ok{};
 }
 
-// What players take along; the world's server flags.
-base::Result<float> Server::carry_parameters() {
-  if (!game_) return 0.0f;
-  for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
-    if (!clients_[slot].is_in_game()) continue;
-    TRY(clients_[slot].parameters, game_->parameters_to_carry(slot));
-  }
-  return game_->server_flags();
-}
-
 base::Status Server::change_level(std::string_view map) {
-  // Players would stand in a level that they have left already.
-  if (!setup_.library.files().contains(fmt::format("maps/{}.bsp", map)))
-    return base::error(base::ErrorCode::kNotFound, "there is no level \"{}\"", map);
+  if (!game_) return start_map(map);
   GameRequest request = request_for(map);
-  TRY(request.server_flags, carry_parameters());
-  return replace_game(request);
+  request.server_flags = game_->server_flags();
+  TRY(LoadedGame loaded, load_game(request, setup_.settings, services()));
+  // Nothing can fail any more but the program itself: only now it may take from players what they leave
+  // behind.
+  std::vector<SpawnParameters> carried(clients_.size());
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
+    carried[slot] = clients_[slot].parameters;
+    if (!clients_[slot].is_in_game()) continue;
+    TRY(carried[slot], game_->parameters_to_carry(slot));
+  }
+  take_up(std::move(loaded));
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot) clients_[slot].parameters = carried[slot];
+  return base::Ok{};
 }
 
 base::Status Server::restart() {
@@ -170,11 +164,13 @@ base::Status Server::load(std::string_view name) {
   TRY(const formats::Sav sav, formats::read_sav(base::as_text(bytes)).with_file(file.string()));
   GameRequest request = request_for(sav.map);
   request.skill = sav.skill;
+  request.kind = GameKind::kSingle;
   TRY(LoadedGame loaded, load_game(request, setup_.settings, services()));
   TRY(const std::vector<std::string> notes, restore(sav, *loaded.game).with_file(file.string()));
   loaded.notes.insert(loaded.notes.end(), notes.begin(), notes.end());
   take_up(std::move(loaded));
   clients_[0].parameters = sav.spawn_parameters;
+  print_if_error(setup_.settings.variables().set("skill", std::to_string(sav.skill)));
   goes_on_[0] = true;
   set_paused(true);  // until the player is there
   return base::Ok{};
@@ -196,8 +192,10 @@ base::Status Server::reload() {
   if (is_same_level) {
     const auto notes = restore(save_of(*game_, ""), *loaded.game);
     if (notes.ok() && notes->empty()) {
+      loaded.game->context().spawn_parameters = game_->context().spawn_parameters;
       take_up(std::move(loaded));
       goes_on_ = std::move(goes_on);
+      if (clients_.size() == 1) set_paused(true);  // until the player is back
       print("reloaded: the game goes on\n");
       return base::Ok{};
     }
@@ -210,15 +208,19 @@ base::Status Server::reload() {
   return base::Ok{};
 }
 
+void Server::print_if_error(const base::Status& status) {
+  if (!status.ok()) print(status.error().message() + "\n");
+}
+
 void Server::print(std::string_view text) {
   setup_.print(text);
   if (captured_) *captured_ += text;
 }
 
 std::string Server::run_and_capture(std::string_view line) {
-  captured_.emplace();
+  std::optional<std::string> outer = std::exchange(captured_, std::string());
   console_.execute(line);
-  return *std::exchange(captured_, std::nullopt);
+  return *std::exchange(captured_, std::move(outer));
 }
 
 void Server::set_paused(bool paused) {
@@ -234,13 +236,17 @@ void Server::fail(const base::Error& error) {
   const std::string notice = fmt::format("The game's code failed: {}\n", error.message());
   const bool fails_again = now_s_ - failed_at_s_ < kSoon_s;
   failed_at_s_ = now_s_;
-  if (!fails_again) {
+  const std::optional<std::size_t> blamed = game_->blamed_player();
+  // Who makes it fail again and again goes, and the others play on.
+  const bool is_one_to_drop = fails_again && blamed && !clients_[*blamed].is_free();
+  if (is_one_to_drop) clients_.release(*blamed, notice);
+  if (!fails_again || is_one_to_drop) {
     // What players are told before a level begins, they do not read.
     if (const base::Status again = restart(); again.ok()) return clients_.print_everyone(notice);
   }
   for (std::size_t slot = 0; slot < clients_.size(); ++slot)
     if (!clients_[slot].is_free()) clients_.release(slot, notice);
-  recorder_.reset();
+  if (recorder_) print_if_error(stop_recording());
   game_.reset();
   print("no level is running; `map NAME` starts one\n");
 }
@@ -248,14 +254,17 @@ void Server::fail(const base::Error& error) {
 // What QuakeC asked for while it ran.
 void Server::do_requests() {
   Requests requests = std::exchange(game_->requests(), {});
+  for (const Requests::PlayerCommand& command : requests.player_commands) {
+    const std::size_t slot = base::to_size(command.player) - 1;
+    if (slot < clients_.size() && !clients_[slot].is_free()) run_player_command(*this, slot, command.line);
+  }
   if (!requests.commands.empty()) console_.append(requests.commands);
   if (requests.change_level) console_.append("changelevel \"" + *requests.change_level + "\"\n");
 }
 
 void Server::shut_down(std::string_view reason) {
-  if (recorder_) {
-    if (const base::Status stopped = stop_recording(); !stopped.ok()) print(stopped.error().message() + "\n");
-  }
+  if (recorder_) print_if_error(stop_recording());
+  if (can_autosave()) print_if_error(save("autosave"));
   clients_.print_everyone(fmt::format("{}\n", reason));
   clients_.send_waiting();
   for (std::size_t slot = 0; slot < clients_.size(); ++slot)
@@ -269,6 +278,7 @@ base::Status Server::record(std::size_t slot, std::string_view name) {
   if (recorder_) return base::error(base::ErrorCode::kUsage, "a recording is running already");
   TRY(std::filesystem::path file, file_to_write(name, ".dem"));
   TRY(recorder_, Recorder::begin(*game_, clients_.all(), slot, std::move(file)));
+  clients_.listen_to(slot);
   return base::Ok{};
 }
 
@@ -277,6 +287,7 @@ base::Status Server::stop_recording() {
   const std::filesystem::path file = recorder_->file();
   const base::ByteVector bytes = std::move(*recorder_).finish();
   recorder_.reset();
+  clients_.listen_to(std::nullopt);
   TRY_STATUS(setup_.write_file(file, bytes));
   print(fmt::format("recorded to {}\n", file.string()));
   return base::Ok{};

@@ -117,8 +117,8 @@ class Server {
   base::Result<std::filesystem::path> file_to_write(std::string_view name, std::string_view suffix) const;
   base::Status replace_game(const GameRequest& request);
   void take_up(LoadedGame loaded);
-  base::Result<float> carry_parameters();
   void do_requests();
+  void print_if_error(const base::Status& status);
 
   // Ticks (server_tick.cpp).
   void run_tick();
@@ -127,6 +127,7 @@ class Server {
   void tell_frags();
   void clear_flashes();
   void autosave();
+  bool can_autosave();
 
   ServerSetup setup_;
   command::Console console_;
@@ -147,6 +148,8 @@ class Server {
   std::vector<bool> goes_on_;
   std::optional<std::string> captured_;  // run_and_capture()
   bool has_started_ = false;
+  bool has_told_of_autosave_ = false;  // that it cannot work
+  bool has_told_of_numbers_ = false;   // that entities have no number in the protocol
   bool is_paused_ = false;
   bool wants_to_quit_ = false;
 };

@@ -101,7 +101,8 @@ base::Status Server::put_in_game(std::size_t slot) {
     TRY_STATUS(game_->put_in(slot, client.parameters, client.name, client.colors));
   goes_on_[slot] = false;
   client.stage = ClientStage::kSpawned;
-  clients_.queue_alone(slot, state_message(*game_, clients_.all(), slot));
+  TRY(std::vector<base::ByteVector> parts, state_messages(*game_, clients_.all(), slot));
+  for (base::ByteVector& part : parts) clients_.queue_alone(slot, std::move(part));
   return base::Ok{};
 }
 
@@ -187,7 +188,10 @@ bool Server::parse_command(std::size_t slot, std::string_view line) {
   game_->machine().set_parameter_string(0, *text);
   const base::Status status =
       game_->world().calls.call(parse, Game::player_index(slot), vm::kWorld, game_->time_s());
-  if (!status.ok()) fail(status.error());
+  if (!status.ok())
+    fail(status.error());
+  else
+    do_requests();
   return true;
 }
 
@@ -195,7 +199,7 @@ void Server::leave(std::size_t slot) {
   if (!game_ || !(clients_[slot].is_in_game() || goes_on_[slot])) return;
   goes_on_[slot] = false;
   if (recorder_ && recorder_->slot() == slot) {
-    if (const base::Status stopped = stop_recording(); !stopped.ok()) print(stopped.error().message() + "\n");
+    print_if_error(stop_recording());
   }
   const base::Status status = game_->take_out(slot);
   clients_[slot].stage = ClientStage::kTold;  // fail() must not try it again

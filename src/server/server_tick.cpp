@@ -36,12 +36,14 @@ void Server::step(double now_s) {
   drop_doomed();
   clients_.send_waiting();
   endpoint_.set_remote_password(setup_.settings.rcon_password());
+  endpoint_.set_timeout(setup_.settings.timeout_s());
   endpoint_.update(now_s);
   autosave();
 }
 
 void Server::run_tick() {
   game_->world().settings = setup_.settings.physics();
+  game_->world().tick_s = setup_.settings.tick_s();
   for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
     Client& client = clients_[slot];
     client.input.is_active = client.is_in_game();
@@ -58,6 +60,11 @@ void Server::run_tick() {
 
 void Server::send_tick() {
   take_snapshot(game_->world(), game_->machine(), game_->look_fields(), game_->setup().dialect, snapshot_);
+  if (snapshot_.unnumbered > 0 && !has_told_of_numbers_) {
+    print(fmt::format("{} entities have no number in protocol 15; sv_protocol 666 has\n",
+                      snapshot_.unnumbered));
+    has_told_of_numbers_ = true;
+  }
   tell_frags();
   Outbox& outbox = game_->outbox();
   for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
@@ -76,7 +83,8 @@ void Server::send_to(std::size_t slot) {
   write_datagram(*game_, slot, snapshot_, is_stock ? kMaxStockDatagram : kMaxDatagram, scratch_, datagram_);
   clients_.send_unreliable(slot, datagram_.view());
   if (recorder_ && recorder_->slot() == slot) {
-    recorder_->add(game_->player(slot)[field::kViewAngles], game_->outbox().reliable().view());
+    const base::ByteVector heard = clients_.take_heard();
+    recorder_->add(game_->player(slot)[field::kViewAngles], heard);
     recorder_->add(game_->player(slot)[field::kViewAngles], datagram_.view());
   }
 }
@@ -105,14 +113,20 @@ void Server::clear_flashes() {
   }
 }
 
+bool Server::can_autosave() {
+  return setup_.settings.autosave_s() > 0 && game_ && clients_.size() == 1 && clients_[0].is_in_game() &&
+         game_->player(0)[field::kHealth] > 0;
+}
+
 void Server::autosave() {
   const double every_s = setup_.settings.autosave_s();
-  const bool is_due = every_s > 0 && now_s_ - saved_at_s_ >= every_s;
-  const bool can_be =
-      game_ && setup_.max_clients == 1 && clients_[0].is_in_game() && game_->player(0)[field::kHealth] > 0;
-  if (!is_due || !can_be) return;
+  if (every_s > 0 && clients_.size() > 1 && !has_told_of_autosave_) {
+    print("sv_autosave: a game of several players cannot be saved\n");
+    has_told_of_autosave_ = true;
+  }
+  if (now_s_ - saved_at_s_ < every_s || !can_autosave()) return;
   saved_at_s_ = now_s_;  // one that fails is tried again after the same time
-  if (const base::Status saved = save("autosave"); !saved.ok()) print(saved.error().message() + "\n");
+  print_if_error(save("autosave"));
 }
 
 }  // namespace temblor::server

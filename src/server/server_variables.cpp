@@ -61,6 +61,7 @@ ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(
   rcon_password_ =
       v.add_text("rcon_password", "", "With it, players may give the server commands; empty: nobody may.");
   cheats_ = v.add_bool("sv_cheats", false, "god, noclip, give and the like work with several players too.");
+  pausable_ = v.add_bool("pausable", true, "Players may stop time with `pause`.");
   reload_ = v.add_bool("sv_reload", true, "A program or level that changes on disk is taken up at once.");
 }
 
@@ -79,8 +80,23 @@ PhysicsSettings ServerVariables::physics() const {
 }
 
 GameKind ServerVariables::kind(std::size_t max_clients) const {
+  if (variables_->bool_value(coop_)) return GameKind::kCooperative;
   if (variables_->int_value(deathmatch_) != 0) return GameKind::kDeathmatch;
-  return max_clients > 1 || variables_->bool_value(coop_) ? GameKind::kCooperative : GameKind::kSingle;
+  return max_clients > 1 ? GameKind::kCooperative : GameKind::kSingle;
+}
+
+void ServerVariables::set_kind(GameKind kind) const {
+  const auto set = [&](const char* name, bool value) {
+    const base::Status status = variables_->set(name, value ? "1" : "0");
+    CHECK(status.ok());
+  };
+  set("coop", kind == GameKind::kCooperative);
+  // Game code knows kinds of deathmatch by numbers above 1.
+  if (kind != GameKind::kDeathmatch) set("deathmatch", false);
+}
+
+bool ServerVariables::is_pausable() const {
+  return variables_->bool_value(pausable_);
 }
 
 int ServerVariables::skill() const {

@@ -16,6 +16,9 @@ class ServerVariables {
 
   PhysicsSettings physics() const;
   GameKind kind(std::size_t max_clients) const;
+  // Sets coop and deathmatch to what a game is.
+  void set_kind(GameKind kind) const;
+  bool is_pausable() const;
   int skill() const;  // 0 to 3
   double tick_s() const;
   double autosave_s() const;  // 0: never
@@ -36,7 +39,7 @@ class ServerVariables {
   command::VariableIndex gravity_, max_velocity_, friction_, edge_friction_, stop_speed_, accelerate_,
       max_speed_, no_step_;
   command::VariableIndex skill_, deathmatch_, coop_, tick_rate_, autosave_, protocol_, host_name_, timeout_,
-      rcon_password_, cheats_, reload_;
+      rcon_password_, cheats_, reload_, pausable_;
 };
 
 }  // namespace temblor::server

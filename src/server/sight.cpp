@@ -36,7 +36,9 @@ bool Sight::sees(const EdictState& state) const {
 }
 
 bool Sight::sees(const world::Level& level, const math::Vec3& place) const {
-  return world::pvs_has(row_, world::find_leaf(level, place));
+  // What is set into a wall (a button, a door) has its middle there.
+  const world::LeafIndex leaf = world::find_leaf(level, place);
+  return leaf == world::LeafIndex{0} || world::pvs_has(row_, leaf);
 }
 
 }  // namespace temblor::server

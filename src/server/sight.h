@@ -18,6 +18,7 @@ class Sight {
   void look(const world::Level& level, const math::Vec3& eye);
 
   bool sees(const EdictState& state) const;
+  // A place inside of something solid is taken for seen.
   bool sees(const world::Level& level, const math::Vec3& place) const;
 
  private:

@@ -16,25 +16,52 @@ std::uint8_t track_of(const Edict& world) {
   return sent_u8(world[field::kSounds]);
 }
 
-// Messages into one buffer, in the game's dialect; what it has no words for is left out.
+// Messages in the game's dialect, and where each ends.
 class MessageList {
  public:
   explicit MessageList(const net::Dialect& dialect) : dialect_(dialect) {}
   base::Status add(const net::ServerMessage& message) {
-    return net::write_message(message, dialect_, bytes_);
+    TRY_STATUS(net::write_message(message, dialect_, bytes_));
+    ends_.push_back(bytes_.size());
+    return base::Ok{};
   }
-  // For what any dialect can say.
-  void add_plain(const net::ServerMessage& message) {
-    const base::Status status = add(message);
-    CHECK(status.ok(), "{}", status.error().message());
+  // What the dialect cannot say, of values that a program has set, is not said.
+  void add_if_sayable(const net::ServerMessage& message) {
+    if (const base::Status status = add(message); !status.ok()) return;
   }
   std::size_t size() const { return bytes_.size(); }
+  base::Bytes bytes() const { return bytes_.view(); }
+  const std::vector<std::size_t>& ends() const { return ends_; }
   base::ByteVector take() && { return std::move(bytes_).take(); }
 
  private:
   net::Dialect dialect_;
   base::ByteWriter bytes_;
+  std::vector<std::size_t> ends_;
 };
+
+// `bytes` in pieces of at most `max_bytes`, cut at some of `ends`.
+base::Result<std::vector<base::ByteVector>> cut(base::Bytes bytes, const std::vector<std::size_t>& ends,
+                                                std::size_t max_bytes) {
+  std::vector<base::ByteVector> parts;
+  std::size_t begin = 0, end = 0;  // of the part that is being filled
+  const auto finish_part = [&] {
+    const base::Bytes part = bytes.subspan(begin, end - begin);
+    parts.emplace_back(part.begin(), part.end());
+    begin = end;
+  };
+  for (const std::size_t next : ends) {
+    if (next - begin > max_bytes && end > begin) finish_part();
+    if (next - begin > max_bytes)
+      return base::error(
+          base::ErrorCode::kTooLarge,
+          "the level's program tells those who join {} bytes in one piece; there is room for {}",
+          next - begin, max_bytes);
+    end = next;
+  }
+  finish_part();
+  return parts;
+}
 
 }  // namespace
 
@@ -60,9 +87,9 @@ base::Result<base::ByteVector> level_message(Game& io_game, std::size_t slot) {
                       .models = models,
                       .sounds = sounds}));
   const std::uint8_t track = track_of(world);
-  messages.add_plain(net::CdTrack{track, track});
-  messages.add_plain(net::SetView{static_cast<std::uint16_t>(slot + 1)});
-  messages.add_plain(net::SignonNumber{1});
+  messages.add_if_sayable(net::CdTrack{track, track});
+  messages.add_if_sayable(net::SetView{static_cast<std::uint16_t>(slot + 1)});
+  messages.add_if_sayable(net::SignonNumber{1});
   if (messages.size() > max_reliable_bytes(setup.dialect))
     return base::error(
         base::ErrorCode::kTooLarge,
@@ -72,47 +99,32 @@ base::Result<base::ByteVector> level_message(Game& io_game, std::size_t slot) {
 }
 
 base::Result<std::vector<base::ByteVector>> beginning_messages(Game& io_game) {
-  const base::Bytes signon = io_game.outbox().signon().view();
-  const std::size_t max_bytes = max_reliable_bytes(io_game.setup().dialect) - kSignonNumberBytes;
-  std::vector<base::ByteVector> parts;
-  std::size_t begin = 0, end = 0;  // of the part that is being filled
-  const auto finish_part = [&] {
-    parts.emplace_back(signon.begin() + static_cast<std::ptrdiff_t>(begin),
-                       signon.begin() + static_cast<std::ptrdiff_t>(end));
-    begin = end;
-  };
-  for (const std::size_t next : io_game.signon_ends()) {
-    if (next - begin > max_bytes && end > begin) finish_part();
-    if (next - begin > max_bytes)
-      return base::error(
-          base::ErrorCode::kTooLarge,
-          "the level's program tells those who join {} bytes in one piece; there is room for {}",
-          next - begin, max_bytes);
-    end = next;
-  }
-  finish_part();
-  MessageList last(io_game.setup().dialect);
-  last.add_plain(net::SignonNumber{2});
-  const base::ByteVector number = std::move(last).take();
-  parts.back().insert(parts.back().end(), number.begin(), number.end());
+  const net::Dialect& dialect = io_game.setup().dialect;
+  const std::size_t max_bytes = max_reliable_bytes(dialect) - kSignonNumberBytes;
+  TRY(std::vector<base::ByteVector> parts,
+      cut(io_game.outbox().signon().view(), io_game.signon_ends(), max_bytes));
+  MessageList last(dialect);
+  TRY_STATUS(last.add(net::SignonNumber{2}));
+  parts.back().insert(parts.back().end(), last.bytes().begin(), last.bytes().end());
   return parts;
 }
 
-base::ByteVector state_message(Game& io_game, std::span<const Client> clients, std::size_t slot) {
+base::Result<std::vector<base::ByteVector>> state_messages(Game& io_game, std::span<const Client> clients,
+                                                           std::size_t slot) {
   MessageList messages(io_game.setup().dialect);
-  messages.add_plain(net::Time{static_cast<float>(io_game.time_s())});
+  messages.add_if_sayable(net::Time{static_cast<float>(io_game.time_s())});
   for (std::size_t i = 0; i < clients.size(); ++i) {
     const auto number = static_cast<std::uint8_t>(i);
-    messages.add_plain(net::UpdateName{number, clients[i].is_free() ? "" : clients[i].name});
-    messages.add_plain(net::UpdateFrags{number, clients[i].frags_told});
-    messages.add_plain(net::UpdateColors{number, clients[i].colors});
+    messages.add_if_sayable(net::UpdateName{number, clients[i].is_free() ? "" : clients[i].name});
+    messages.add_if_sayable(net::UpdateFrags{number, clients[i].frags_told});
+    messages.add_if_sayable(net::UpdateColors{number, clients[i].colors});
   }
   const world::LightStylePatterns& styles = io_game.context().light_styles;
   for (std::size_t i = 0; i < styles.size(); ++i)
-    messages.add_plain(net::LightStyle{static_cast<std::uint8_t>(i), styles[i]});
+    messages.add_if_sayable(net::LightStyle{static_cast<std::uint8_t>(i), styles[i]});
   const auto add_total = [&](std::uint8_t stat, vm::GlobalIndex total) {
     const float value = io_game.machine().global_float(total);
-    messages.add_plain(net::UpdateStat{stat, static_cast<std::int32_t>(sent_u16(value))});
+    messages.add_if_sayable(net::UpdateStat{stat, static_cast<std::int32_t>(sent_u16(value))});
   };
   add_total(11, global::kTotalSecrets);
   add_total(12, global::kTotalMonsters);
@@ -121,11 +133,11 @@ base::ByteVector state_message(Game& io_game, std::span<const Client> clients, s
 
   const Edict edict = io_game.player(slot);
   // Without roll: a player who died in the last level looks straight.
-  const math::Vec3 angles = edict[field::kAngles];
-  messages.add_plain(net::SetAngle{{angles.x, angles.y, 0}});
-  messages.add_plain(client_data_of(io_game, slot));
-  messages.add_plain(net::SignonNumber{3});
-  return std::move(messages).take();
+  const math::Vec3 angles = finite(edict[field::kAngles]);
+  messages.add_if_sayable(net::SetAngle{{angles.x, angles.y, 0}});
+  messages.add_if_sayable(client_data_of(io_game, slot));
+  messages.add_if_sayable(net::SignonNumber{3});
+  return cut(messages.bytes(), messages.ends(), max_reliable_bytes(io_game.setup().dialect));
 }
 
 }  // namespace temblor::server

@@ -22,7 +22,9 @@ base::Result<base::ByteVector> level_message(Game& io_game, std::size_t slot);
 // be.
 base::Result<std::vector<base::ByteVector>> beginning_messages(Game& io_game);
 
-// Stage 3: names, frags and colours of all players, light styles, totals, where to look, the own state.
-base::ByteVector state_message(Game& io_game, std::span<const Client> clients, std::size_t slot);
+// Stage 3: names, frags and colours of all players, light styles, totals, where to look, the own state; cut
+// as above.
+base::Result<std::vector<base::ByteVector>> state_messages(Game& io_game, std::span<const Client> clients,
+                                                           std::size_t slot);
 
 }  // namespace temblor::server

@@ -9,6 +9,7 @@
 #include "base/bytes.h"
 #include "server/baselines.h"
 #include "server/game_world.h"
+#include "server/outbox.h"
 #include "vm/machine.h"
 
 namespace temblor::server {
@@ -28,9 +29,6 @@ struct Snapshot {
     return base::Bytes(bytes.view()).subspan(entity.begin, entity.end - entity.begin);
   }
 };
-
-// Highest number that a client of protocol 15 knows: 600 entities in all.
-constexpr std::uint32_t kMaxEntitiesOfProtocol15 = 600;
 
 // `fields`: of the program that runs. Keeps io_snapshot's memory.
 void take_snapshot(GameWorld& io_world, const vm::Machine& machine, const LookFields& fields,

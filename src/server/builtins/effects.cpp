@@ -39,7 +39,7 @@ base::Status sound(Call& io_call) {
                                           .channel = static_cast<std::uint8_t>(to_whole(channel)),
                                           .sound = *number,
                                           .origin = middle},
-                               middle);
+                               loud.attenuation > 0 ? std::optional(middle) : std::nullopt);
   return base::Ok{};
 }
 

@@ -1,0 +1,202 @@
+// What a server costs: a crowd of monsters, a crowd of clients, a change of level. CPU time of the process
+// against the time that is played, so that other work on the machine disturbs little.
+//
+// Usage: served_bench PROGS, with TEMBLOR_DATA naming the base folder.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/connection.h"
+#include "server/server.h"
+#include "support/bad_network.h"
+
+namespace temblor {
+namespace {
+
+constexpr double kTick_s = 1.0 / 72;
+constexpr std::size_t kMonsters = 600;
+constexpr int kClients = 64;
+
+double cpu_s() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+void fail(const base::Error& error) {
+  fmt::print(stderr, "served_bench: {}\n", error.message());
+  std::exit(1);
+}
+
+// A server of the shipped game on a network without losses, its clients beside it.
+class Bench {
+ public:
+  Bench(const std::filesystem::path& data, const std::filesystem::path& progs, std::uint32_t max_clients)
+      : library_(vfs::FileSystem::open(data).value()), settings_(variables_), network_({}, 1) {
+    net::ServerEndpoint::Sockets sockets;
+    sockets.push_back(network_.open(kServer));
+    server_ = std::make_unique<server::Server>(server::ServerSetup{.library = library_,
+                                                                   .settings = settings_,
+                                                                   .sockets = std::move(sockets),
+                                                                   .max_clients = max_clients,
+                                                                   .program_file = progs,
+                                                                   .print = [](std::string_view) {}});
+  }
+
+  void start(std::string_view map) {
+    if (const base::Status status = server_->start_map(map); !status.ok()) fail(status.error());
+  }
+  server::Server& server() { return *server_; }
+  command::Variables& variables() { return variables_; }
+  // CPU seconds of the server's steps alone.
+  double play(double seconds, bool clients_move) {
+    double server_cpu_s = 0;
+    for (const double until_s = now_s_ + seconds; now_s_ < until_s;) {
+      now_s_ += kTick_s;
+      network_.advance_to(now_s_);
+      const double before_s = cpu_s();
+      server_->step(now_s_);
+      server_cpu_s += cpu_s() - before_s;
+      for (std::size_t i = 0; i < clients_.size(); ++i) {
+        clients_[i]->update(now_s_);
+        clients_[i]->state().events().clear();
+        const auto yaw =
+            static_cast<float>(static_cast<int>(now_s_ * 90 + static_cast<double>(i) * 37) % 360);
+        clients_[i]->send_move(clients_move ? net::Move{.angles_deg = {0, yaw, 0}, .forward = 400}
+                                            : net::Move{});
+      }
+    }
+    return server_cpu_s;
+  }
+  void join(int count) {
+    for (int i = 0; i < count; ++i) {
+      addresses_.push_back(platform::ip4_address({10, 0, 1, static_cast<std::uint8_t>(i + 1)},
+                                                 static_cast<std::uint16_t>(4000 + i)));
+      clients_.push_back(std::make_unique<client::Connection>(
+          network_.open(addresses_.back()), client::PlayerSettings{fmt::format("p{}", i), 1, 2}));
+      clients_.back()->connect(kServer, now_s_);
+      play(0.2, false);
+    }
+    play(5, false);
+  }
+  std::size_t playing() const {
+    std::size_t count = 0;
+    for (const auto& client : clients_) count += client->is_playing() ? 1 : 0;
+    return count;
+  }
+  std::uint64_t bytes_to_clients() const {
+    std::uint64_t bytes = 0;
+    for (const platform::Address& address : addresses_) bytes += network_.bytes_sent_to(address);
+    return bytes;
+  }
+
+ private:
+  static inline const platform::Address kServer = platform::ip4_address({10, 0, 0, 1}, 26000);
+  command::Variables variables_;
+  assets::Library library_;
+  server::ServerVariables settings_;
+  test::BadNetwork network_;
+  std::unique_ptr<server::Server> server_;
+  std::vector<platform::Address> addresses_;
+  std::vector<std::unique_ptr<client::Connection>> clients_;
+  double now_s_ = 1;
+};
+
+// Copies of the level's own monsters, where they stand, until there are so many that think.
+std::size_t add_monsters(server::Game& io_game) {
+  server::GameWorld& world = io_game.world();
+  std::vector<vm::EntityIndex> monsters;
+  for (std::uint32_t i = 1; i < world.edicts.count(); ++i) {
+    const vm::EntityIndex index{i};
+    if (!world.edicts.is_free(index) && world.edicts[index].has_flag(server::flag::kMonster))
+      monsters.push_back(index);
+  }
+  const std::size_t own = monsters.size();
+  for (std::size_t count = own; own > 0 && count < kMonsters; ++count) {
+    const auto copy = world.edicts.spawn(world.time_s);
+    if (!copy.ok()) fail(copy.error());
+    const auto from = world.edicts[monsters[count % own]].words();
+    std::copy(from.begin(), from.end(), world.edicts[*copy].words().begin());
+    if (const auto linked = server::link(world, *copy, server::TouchTriggers::kNo); !linked.ok())
+      fail(linked.error());
+  }
+  return own == 0 ? 0 : kMonsters;
+}
+
+void bench_monsters(const std::filesystem::path& data, const std::filesystem::path& progs) {
+  for (const char* map : {"lq_e0m1", "lq_e1m2"}) {
+    Bench bench(data, progs, 4);
+    if (!bench.variables().set("sv_protocol", "666").ok()) std::abort();
+    bench.start(map);
+    bench.join(1);
+    const std::size_t monsters = add_monsters(*bench.server().game());
+    bench.play(1, true);
+    const std::uint64_t before = bench.server().game()->machine().instructions_run();
+    constexpr double kPlayed_s = 20;
+    const double cost_s = bench.play(kPlayed_s, true);
+    const auto instructions =
+        static_cast<double>(bench.server().game()->machine().instructions_run() - before);
+    fmt::print("| {} monsters think on {} | {:.1f} % of a core | {:.2f} M QuakeC instructions a second |\n",
+               monsters, map, 100 * cost_s / kPlayed_s, instructions / kPlayed_s / 1e6);
+  }
+}
+
+void bench_clients(const std::filesystem::path& data, const std::filesystem::path& progs) {
+  for (const bool they_move : {true, false}) {
+    Bench bench(data, progs, kClients);
+    if (!bench.variables().set("deathmatch", "1").ok()) std::abort();
+    bench.start("lqdm5");
+    bench.join(kClients);
+    const std::uint64_t before = bench.bytes_to_clients();
+    constexpr double kPlayed_s = 20;
+    const double cost_s = bench.play(kPlayed_s, they_move);
+    const double bytes = static_cast<double>(bench.bytes_to_clients() - before) / kPlayed_s / kClients;
+    fmt::print("| {} clients {} on lqdm5 | {:.1f} % of a core | {:.1f} KB a second to each |\n",
+               bench.playing(), they_move ? "run" : "stand", 100 * cost_s / kPlayed_s, bytes / 1000);
+  }
+}
+
+void bench_quiet(const std::filesystem::path& data, const std::filesystem::path& progs) {
+  Bench bench(data, progs, 4);
+  bench.start("lq_e1m2");
+  bench.join(1);
+  const std::uint64_t before = bench.bytes_to_clients();
+  constexpr double kPlayed_s = 20;
+  const double cost_s = bench.play(kPlayed_s, false);
+  fmt::print("| one client stands on lq_e1m2 | {:.1f} % of a core | {:.1f} KB a second |\n",
+             100 * cost_s / kPlayed_s,
+             static_cast<double>(bench.bytes_to_clients() - before) / kPlayed_s / 1000);
+}
+
+void bench_level_change(const std::filesystem::path& data, const std::filesystem::path& progs) {
+  Bench bench(data, progs, 4);
+  bench.start("start");
+  std::vector<double> seconds;
+  for (int i = 0; i < 9; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    if (const auto status = bench.server().change_level("lq_e1m2"); !status.ok()) fail(status.error());
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  std::sort(seconds.begin(), seconds.end());
+  fmt::print("| change of level to lq_e1m2 | {:.0f} ms | {:.0f} ms at most |\n", seconds[4] * 1000,
+             seconds.back() * 1000);
+}
+
+}  // namespace
+}  // namespace temblor
+
+int main(int argument_count, char** arguments) {
+  const char* data = std::getenv("TEMBLOR_DATA");
+  if (argument_count != 2 || !data) {
+    fmt::print(stderr, "usage: served_bench PROGS, with TEMBLOR_DATA naming the base folder\n");
+    return 2;
+  }
+  temblor::bench_monsters(data, arguments[1]);
+  temblor::bench_clients(data, arguments[1]);
+  temblor::bench_quiet(data, arguments[1]);
+  temblor::bench_level_change(data, arguments[1]);
+  return 0;
+}
