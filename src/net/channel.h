@@ -98,8 +98,8 @@ class Channel {
   ChannelSettings settings_;
   ChannelStatistics statistics_;
 
-  // Sending. Of the first message in the queue, `acknowledged_bytes_` have arrived and one fragment is out. The
-  // messages lie one behind the other, so that a warm channel asks the heap for nothing.
+  // Sending. Of the first message in the queue, `acknowledged_bytes_` have arrived and one fragment is out.
+  // The messages lie one behind the other, so that a warm channel asks the heap for nothing.
   base::ByteVector queued_;
   std::vector<std::size_t> queued_sizes_;
   std::size_t acknowledged_bytes_ = 0;

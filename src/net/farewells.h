@@ -14,8 +14,8 @@ class Farewells {
   static constexpr std::size_t kMost = 64;  // the oldest gives way
   static constexpr double kLife_s = 10, kEvery_s = 0.5;
 
-  // Sends the end of a connection over what was its channel: a print of the reason, cut at 200 bytes, unless it
-  // is empty, and svc_disconnect.
+  // Sends the end of a connection over what was its channel: a print of the reason, cut at 200 bytes, unless
+  // it is empty, and svc_disconnect.
   void say(const platform::Address& peer, Channel channel, std::string_view reason, double now_s,
            Channel::Sink sink);
   // Says it again to a peer that sent something, unless it was said just now or there is none for it.

@@ -32,15 +32,19 @@ formats::Sav random_sav(std::uint64_t seed) {
     return text;
   };
   formats::Sav sav;
-  sav.comment = "level " + std::to_string(seed);
+  sav.comment = fmt::format("level {}", seed);
   for (float& parameter : sav.spawn_parameters) parameter = static_cast<float>(random.uniform(-1e9, 1e9));
   sav.skill = static_cast<int>(random.below(4));
-  sav.map = "map" + std::to_string(seed);
+  sav.map = fmt::format("map{}", seed);
   sav.time_s = static_cast<float>(random.log_uniform(1e-6, 1e6));
   for (std::string& style : sav.light_styles) style = word();
   const auto pairs = [&](std::size_t count) {
     formats::SavPairs result;
-    for (std::size_t i = 0; i < count; ++i) result.emplace_back("k" + word(), word());
+    for (std::size_t i = 0; i < count; ++i) {
+      std::string name = word();
+      name += 'k';  // never empty
+      result.emplace_back(std::move(name), word());
+    }
     return result;
   };
   sav.globals = pairs(random.below(5));
@@ -106,7 +110,9 @@ TEST(Sav, EveryTruncationIsAnErrorOrLosesWholeEntities) {
   const auto whole = formats::read_sav(text);
   for_each_truncation(base::as_bytes(text), [&](const base::ByteVector& bytes) {
     const auto sav = formats::read_sav(base::as_text(bytes));
-    if (sav.ok()) EXPECT_LE(sav->entities.size(), whole->entities.size());
+    if (sav.ok()) {
+      EXPECT_LE(sav->entities.size(), whole->entities.size());
+    }
   });
 }
 

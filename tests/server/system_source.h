@@ -1,5 +1,5 @@
-// The system's definitions as QuakeC, in the order that quake-facts.md lists (section 15): what every program for
-// Quake begins with. The compiler's sum over them is 5927.
+// The system's definitions as QuakeC, in the order that quake-facts.md lists (section 15): what every program
+// for Quake begins with. The compiler's sum over them is 5927.
 #pragma once
 
 namespace temblor::test {
