@@ -10,19 +10,17 @@ namespace temblor::vm {
 
 // A list for the machine's table of jumps, which has to be in the same order: hence the macro. After
 // kPastEnd, which stands behind the last statement, come the pairs.
-#define TEMBLOR_VM_OPERATIONS(X)                                                                            \
-  X(MulF)                                                                                                   \
-  X(MulV)                                                                                                   \
-  X(MulFV)                                                                                                  \
-  X(MulVF) X(DivF) X(AddF) X(AddV) X(SubF) X(SubV) X(EqF) X(EqV) X(EqS) X(EqWord) X(NeF) X(NeV) X(NeS)      \
-      X(NeWord) X(Le) X(Ge) X(Lt) X(Gt) X(LoadWord) X(LoadVector) X(Address) X(StoreWord) X(StoreVector)    \
-          X(StorePWord) X(StorePVector) X(Return) X(NotF) X(NotV) X(NotS) X(NotWord) X(If) X(IfNot) X(Call) \
-              X(State) X(Goto) X(And) X(Or) X(BitAnd) X(BitOr) X(PastEnd) X(EqFIfNot) X(EqWordIfNot)        \
-                  X(NeFIfNot) X(NeWordIfNot) X(LeIfNot) X(GeIfNot) X(LtIfNot) X(GtIfNot) X(AndIfNot)        \
-                      X(OrIfNot) X(BitAndIfNot) X(NotFIfNot) X(NotWordIfNot) X(LoadWordIfNot) X(EqFIf)      \
-                          X(EqWordIf) X(NeFIf) X(NeWordIf) X(LeIf) X(GeIf) X(LtIf) X(GtIf) X(AndIf) X(OrIf) \
-                              X(BitAndIf) X(NotFIf) X(NotWordIf) X(LoadWordIf) X(AddressStorePWord)         \
-                                  X(AddressStorePVector)
+// clang-format off
+#define TEMBLOR_VM_OPERATIONS(X) \
+  X(MulF) X(MulV) X(MulFV) X(MulVF) X(DivF) X(AddF) X(AddV) X(SubF) X(SubV) X(EqF) X(EqV) X(EqS) \
+  X(EqWord) X(NeF) X(NeV) X(NeS) X(NeWord) X(Le) X(Ge) X(Lt) X(Gt) X(LoadWord) X(LoadVector) \
+  X(Address) X(StoreWord) X(StoreVector) X(StorePWord) X(StorePVector) X(Return) X(NotF) X(NotV) \
+  X(NotS) X(NotWord) X(If) X(IfNot) X(Call) X(State) X(Goto) X(And) X(Or) X(BitAnd) X(BitOr) \
+  X(PastEnd) X(EqFIfNot) X(EqWordIfNot) X(NeFIfNot) X(NeWordIfNot) X(LeIfNot) X(GeIfNot) X(LtIfNot) \
+  X(GtIfNot) X(AndIfNot) X(OrIfNot) X(BitAndIfNot) X(NotFIfNot) X(NotWordIfNot) X(LoadWordIfNot) \
+  X(EqFIf) X(EqWordIf) X(NeFIf) X(NeWordIf) X(LeIf) X(GeIf) X(LtIf) X(GtIf) X(AndIf) X(OrIf) \
+  X(BitAndIf) X(NotFIf) X(NotWordIf) X(LoadWordIf) X(AddressStorePWord) X(AddressStorePVector)
+// clang-format on
 
 enum class Operation : std::uint16_t {
 #define TEMBLOR_VM_NAME(name) k##name,
