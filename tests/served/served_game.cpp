@@ -9,8 +9,6 @@
 namespace temblor::test {
 namespace {
 
-const platform::Address kServerAddress = platform::ip4_address({10, 0, 0, 1}, 26000);
-
 constexpr std::string_view kGame = R"(
 void() worldspawn = {
   precache_model("progs/player.mdl");
@@ -73,7 +71,7 @@ ServedGame::ServedGame(std::string_view program, const ServedGameOptions& option
   library_ = std::make_unique<assets::Library>(std::move(*files));
   settings_ = std::make_unique<server::ServerVariables>(variables_);
   net::ServerEndpoint::Sockets sockets;
-  sockets.push_back(network_.open(kServerAddress));
+  sockets.push_back(network_.open(kServedAddress));
   server_ = std::make_unique<server::Server>(server::ServerSetup{
       .library = *library_,
       .settings = *settings_,
@@ -101,7 +99,7 @@ std::size_t ServedGame::add_client(std::string name) {
       std::make_unique<client::Connection>(network_.open(platform::ip4_address({10, 0, 0, number}, 4000)),
                                            client::PlayerSettings{std::move(name), 4, 7}));
   prints_.emplace_back();
-  clients_.back()->connect(kServerAddress, now_s_);
+  clients_.back()->connect(kServedAddress, now_s_);
   return clients_.size() - 1;
 }
 

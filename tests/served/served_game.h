@@ -22,6 +22,9 @@ namespace temblor::test {
 // doors are boxes that say so when they are touched. `extra` stands before the functions that every game has.
 std::string small_program(std::string_view extra = "");
 
+// Where the server is.
+inline const platform::Address kServedAddress = platform::ip4_address({10, 0, 0, 1}, 26000);
+
 struct ServedGameOptions {
   std::uint32_t max_clients = 4;
   NetworkConditions conditions{};

@@ -43,6 +43,15 @@ TEST_F(EdictsTest, WhileALevelIsSetUpItIsUsedAgainAtOnce) {
   EXPECT_EQ(edicts_.spawn(1).value(), first);
 }
 
+// Clients were told of it once, and are told nothing else for as long as the level lasts.
+TEST_F(EdictsTest, AReusedPlaceKeepsTheBaselineThatClientsHave) {
+  const EntityIndex index = edicts_.spawn(1).value();
+  edicts_.state(index).baseline.frame = 5;
+  edicts_.free(index, 1);
+  ASSERT_EQ(edicts_.spawn(1).value(), index);
+  EXPECT_EQ(edicts_.state(index).baseline.frame, 5);
+}
+
 TEST_F(EdictsTest, FreedIsNowhere) {
   const EntityIndex index = edicts_.spawn(10).value();
   const Edict edict = edicts_[index];
