@@ -1,0 +1,87 @@
+// `temblor serve` as its host has it: a console on standard input, and signals.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "app/program.h"
+#include "support/game_data.h"
+#include "support/temporary_folder.h"
+
+namespace temblor::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+#define SKIP_WITHOUT_GAME()                           \
+  if (!std::filesystem::exists(TEMBLOR_GAME_PROGRAM)) \
+  GTEST_SKIP() << "the game's QuakeC is not compiled: fteqcc is not installed"
+
+// What a shell makes of "SERVE" in `script`: the server, told to print to its standard output.
+struct ShellRun {
+  int exit_status = 0;
+  std::string out;
+};
+ShellRun run_script(const std::filesystem::path& data, std::string script) {
+  const TemporaryFolder folder;
+  const std::string serve = "'" TEMBLOR_PROGRAM "' --basedir '" + data.string() +
+                            "' serve --port 0 --host 127.0.0.1 --map start --progs '" TEMBLOR_GAME_PROGRAM
+                            "'";
+  script.replace(script.find("SERVE"), 5, serve);
+  folder.write("script.sh", script);
+  const std::string out = (folder.path() / "out").string();
+  const int status =
+      std::system(("sh '" + (folder.path() / "script.sh").string() + "' >'" + out + "' 2>&1").c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out)};
+}
+
+TEST(ServeProgram, ConsoleIsStandardInput) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_GAME();
+  const ShellRun run = run_script(data, "printf 'status\\nno_such_thing\\nquit\\n' | SERVE\n");
+  EXPECT_EQ(run.exit_status, 0) << run.out;
+  EXPECT_THAT(run.out, HasSubstr("level start, protocol 15"));
+  EXPECT_THAT(run.out, HasSubstr("map:     start"));
+  EXPECT_THAT(run.out, HasSubstr("no_such_thing"));
+}
+
+TEST(ServeProgram, SignalsEndItAsQuitDoes) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_GAME();
+  const ShellRun run = run_script(
+      data, "SERVE --duration 60 </dev/null & server=$!\nsleep 2\nkill -TERM $server\nwait $server\n");
+  EXPECT_EQ(run.exit_status, 0) << run.out;
+  EXPECT_THAT(run.out, HasSubstr("level start"));
+}
+
+TEST(ServeProgram, WhatIsWrongIsOneLine) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_GAME();
+  const TemporaryFolder folder;
+  const auto serve = [&](std::vector<std::string> options) {
+    options.insert(options.begin(),
+                   {"--basedir", data.string(), "serve", "--port", "0", "--host", "127.0.0.1"});
+    return run_program(folder.path(), options);
+  };
+  const ProgramRun no_level = serve({"--map", "nowhere", "--progs", TEMBLOR_GAME_PROGRAM});
+  EXPECT_EQ(no_level.exit_status, 1);
+  EXPECT_TRUE(is_one_error_line(no_level.err)) << no_level.err;
+  EXPECT_THAT(no_level.err, HasSubstr("nowhere"));
+
+  const std::string bad = folder.write("bad.dat", "no program").string();
+  const ProgramRun no_program = serve({"--map", "start", "--progs", bad});
+  EXPECT_EQ(no_program.exit_status, 1);
+  EXPECT_TRUE(is_one_error_line(no_program.err)) << no_program.err;
+  EXPECT_THAT(no_program.err, HasSubstr("bad.dat"));
+
+  const ProgramRun none = serve({"--map", "start"});
+  EXPECT_THAT(none.err, HasSubstr("there is no progs.dat"));
+  EXPECT_EQ(serve({"--map", "start", "--maxclients", "0"}).exit_status, 2);
+  EXPECT_EQ(serve({}).exit_status, 2);
+  const ProgramRun no_address = serve({"--map", "start", "--host", "no.such.address"});
+  EXPECT_TRUE(is_one_error_line(no_address.err)) << no_address.err;
+}
+
+}  // namespace
+}  // namespace temblor::test
