@@ -57,8 +57,7 @@ class StockClientPlays {
     client_ = std::make_unique<BackgroundProgram>(
         std::vector<std::string>{"xvfb-run", "-a", "-s", "-screen 0 320x240x24", "quakespasm", "-basedir",
                                  folder_.string(), "-window", "-width", "320", "-height", "240", "-nosound",
-                                 "+host_maxfps", "30", "+connect", "127.0.0.1:" + std::to_string(port_),
-                                 "+forward", "+left"},
+                                 "+host_maxfps", "30", "+connect", "127.0.0.1:" + std::to_string(port_)},
         home_.path());
   }
   void ask_client_to_leave() { server_->clients().tell(0, net::StuffText{"disconnect\n"}); }
@@ -66,6 +65,8 @@ class StockClientPlays {
   void step() {
     server_->step(clock_s());
     if (!is_playing()) return;
+    // It walks and turns from here on, as if its player held two keys.
+    if (!has_place_) server_->clients().tell(0, net::StuffText{"+forward\n+left\n"});
     const math::Vec3 place = server_->game()->player(0)[server::field::kOrigin];
     if (has_place_) way_ += glm::distance(place, place_);
     place_ = place;
