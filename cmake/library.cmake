@@ -39,10 +39,11 @@ function(temblor_test_flags)
   endif()
 endfunction()
 
-# temblor_test(NAME [DEPENDS ...]): tests/NAME/*.cpp as one GoogleTest program, with its tests known to ctest. Of files
-# NAME_test.cpp, those in which TEMBLOR_TESTS_LIKE is found.
+# temblor_test(NAME [DEPENDS ...] [SOURCES ...] [DEFINITIONS ...] [NEEDS ...]): tests/NAME/*.cpp and SOURCES as one
+# GoogleTest program, with its tests known to ctest. Of files NAME_test.cpp, those in which TEMBLOR_TESTS_LIKE is found;
+# nothing where there are none. NEEDS: targets to be built before, those that there are.
 function(temblor_test name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DEPENDS;SOURCES;DEFINITIONS;NEEDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/tests/${name}/*.cpp")
   foreach(source IN LISTS sources)
     file(STRINGS "${source}" found REGEX "${TEMBLOR_TESTS_LIKE}" LIMIT_COUNT 1)
@@ -50,10 +51,16 @@ function(temblor_test name)
       list(REMOVE_ITEM sources "${source}")
     endif()
   endforeach()
-  if(NOT sources)
+  if(NOT sources MATCHES "_test\\.cpp")
     return()
   endif()
-  add_executable(${name}_test ${sources})
+  add_executable(${name}_test ${sources} ${ARG_SOURCES})
+  target_compile_definitions(${name}_test PRIVATE ${ARG_DEFINITIONS})
+  foreach(needed IN LISTS ARG_NEEDS)
+    if(TARGET ${needed})
+      add_dependencies(${name}_test ${needed})
+    endif()
+  endforeach()
   target_include_directories(${name}_test PRIVATE "${CMAKE_SOURCE_DIR}/tests")
   target_link_libraries(${name}_test PRIVATE ${ARG_DEPENDS} temblor_test_flags GTest::gtest_main)
   if(TARGET temblor_test_headers)
