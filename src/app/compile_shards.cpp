@@ -29,12 +29,12 @@ fs::path shard_path(CompileStage stage, const Shard& shard, const LevelPaths& pa
 
 // Whether the file is called what the file of some share would be.
 bool is_shard_file(const fs::path& file, CompileStage stage, const LevelPaths& paths) {
-  std::string ending = file.extension().string();  // ".vis-2-of-4"
+  const std::string ending = file.extension().string();  // ".vis-2-of-4"
   const std::string start = fmt::format(".{}-", name_of(stage)), middle = "-of-";
-  const std::size_t between = ending.find(middle);
+  const std::size_t between = ending.find(middle, start.size());
   if (!ending.starts_with(start) || between == std::string::npos) return false;
-  const base::Result<Shard> shard =
-      parse_shard(ending.replace(between, middle.size(), "/").substr(start.size()));
+  const base::Result<Shard> shard = parse_shard(fmt::format(
+      "{}/{}", ending.substr(start.size(), between - start.size()), ending.substr(between + middle.size())));
   return shard.ok() && shard_path(stage, *shard, paths).filename() == file.filename();
 }
 

@@ -1,5 +1,6 @@
 #include "app/written_file.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -48,7 +49,7 @@ base::Result<FileChange> FileChange::replacement(const std::filesystem::path& pa
   change.place_ = place_of(path);
   // Two programs that write the same file at once must not write into each other's.
   change.beside_ = change.place_;
-  change.beside_ += "." + std::to_string(getpid()) + ".new";
+  change.beside_ += fmt::format(".{}.new", getpid());
   if (const auto reason = write_bytes(change.beside_, bytes)) return cannot_write(path, *reason);
   return change;
 }

@@ -1,5 +1,7 @@
 #include "support/late_faces.h"
 
+#include <fmt/format.h>
+
 namespace temblor::test {
 
 DrawableLevel with_fences(const DrawableLevel& drawable) {
@@ -11,7 +13,7 @@ DrawableLevel with_fences(const DrawableLevel& drawable) {
     if (texture.kind != world::TextureKind::kOpaque) continue;
     fence = !fence;
     if (!fence) continue;
-    texture.name.insert(0, "{");
+    texture.name = fmt::format("{{{}", texture.name);
     texture.kind = world::TextureKind::kCutout;
     for (std::uint32_t y = 0; y < texture.height; ++y)
       for (std::uint32_t x = 0; x < texture.width; ++x)

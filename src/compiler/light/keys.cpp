@@ -1,5 +1,7 @@
 #include "compiler/light/keys.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,7 +11,7 @@ namespace temblor::compiler {
 namespace {
 
 std::string with_underscore(std::string_view key) {
-  return "_" + std::string(key);
+  return fmt::format("_{}", key);
 }
 
 std::optional<math::Vec3> vec3_of(const formats::Entity& entity, std::string_view key) {
