@@ -7,6 +7,7 @@ cd "$(dirname "$0")/.."
 tools/setup.sh build
 cmake --preset release >/dev/null
 cmake --build --preset release --target temblor
+if command -v fteqcc >/dev/null; then cmake --build --preset release --target game; fi
 
 mkdir -p out
 if [ -n "${TEMBLOR_DATA:-}" ]; then

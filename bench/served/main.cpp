@@ -4,6 +4,7 @@
 // Usage: served_bench PROGS, with TEMBLOR_DATA naming the base folder.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
@@ -12,8 +13,10 @@
 #include <vector>
 
 #include "client/connection.h"
+#include "server/move_trace.h"
 #include "server/server.h"
 #include "support/bad_network.h"
+#include "support/random.h"
 
 namespace temblor {
 namespace {
@@ -105,57 +108,113 @@ class Bench {
   double now_s_ = 1;
 };
 
-// Copies of the level's own monsters, where they stand, until there are so many that think.
-std::size_t add_monsters(server::Game& io_game) {
-  server::GameWorld& world = io_game.world();
+std::vector<vm::EntityIndex> monsters_of(server::GameWorld& world) {
   std::vector<vm::EntityIndex> monsters;
   for (std::uint32_t i = 1; i < world.edicts.count(); ++i) {
     const vm::EntityIndex index{i};
     if (!world.edicts.is_free(index) && world.edicts[index].has_flag(server::flag::kMonster))
       monsters.push_back(index);
   }
-  const std::size_t own = monsters.size();
-  for (std::size_t count = own; own > 0 && count < kMonsters; ++count) {
-    const auto copy = world.edicts.spawn(world.time_s);
-    if (!copy.ok()) fail(copy.error());
-    const auto from = world.edicts[monsters[count % own]].words();
-    std::copy(from.begin(), from.end(), world.edicts[*copy].words().begin());
-    if (const auto linked = server::link(world, *copy, server::TouchTriggers::kNo); !linked.ok())
-      fail(linked.error());
-  }
-  return own == 0 ? 0 : kMonsters;
+  return monsters;
 }
 
-void bench_monsters(const std::filesystem::path& data, const std::filesystem::path& progs) {
+// Copies of the level's own monsters, near them but apart, until there are so many that think.
+void add_monsters(server::Game& io_game) {
+  server::GameWorld& world = io_game.world();
+  const std::vector<vm::EntityIndex> own = monsters_of(world);
+  test::Random random(5);
+  std::size_t count = own.size();
+  for (int attempt = 0; !own.empty() && count < kMonsters && attempt < 200'000; ++attempt) {
+    const server::Edict model = world.edicts[own[random.below(own.size())]];
+    const math::Vec3 from = model[server::field::kOrigin];
+    const math::Vec3 place =
+        server::trace_move(world, from, model[server::field::kMins], model[server::field::kMaxs],
+                           from + random.in_cube(500) * math::Vec3{1, 1, 0}, server::MoveKind::kNoMonsters,
+                           model.index())
+            .trace.end;
+    const auto copy = world.edicts.spawn(world.time_s);
+    if (!copy.ok()) fail(copy.error());
+    const server::Edict edict = world.edicts[*copy];
+    const auto words = world.edicts[model.index()].words();
+    std::copy(words.begin(), words.end(), edict.words().begin());
+    edict.set(server::field::kOrigin, place);
+    if (server::is_stuck(world, *copy)) {
+      world.edicts.free(*copy, 0);  // long ago: the next one takes its place
+      continue;
+    }
+    if (const auto linked = server::link(world, *copy, server::TouchTriggers::kNo); !linked.ok())
+      fail(linked.error());
+    ++count;
+  }
+}
+
+// All of them are after the player, who cannot be hurt.
+void set_upon_player(server::Game& io_game) {
+  server::GameWorld& world = io_game.world();
+  const vm::FunctionIndex hunt = io_game.machine().program().find_function("start_hunt");
+  if (hunt == vm::kNoFunction) std::abort();
+  const server::Edict player = io_game.player(0);
+  player.set_flag(server::flag::kGodMode);
+  for (const vm::EntityIndex monster : monsters_of(world)) {
+    world.edicts[monster].set(server::field::kEnemy, player.index());
+    if (const auto called = world.calls.call(hunt, monster, vm::EntityIndex{0}, world.time_s); !called.ok())
+      fail(called.error());
+  }
+}
+
+std::vector<math::Vec3> places_of_monsters(server::Game& io_game) {
+  std::vector<math::Vec3> places;
+  for (const vm::EntityIndex monster : monsters_of(io_game.world()))
+    places.push_back(io_game.world().edicts[monster][server::field::kOrigin]);
+  return places;
+}
+
+std::size_t count_moved(const std::vector<math::Vec3>& before, const std::vector<math::Vec3>& after) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i)
+    count += glm::distance(before[i], after[i]) > 32 ? 1 : 0;
+  return count;
+}
+
+void bench_monsters(const std::filesystem::path& data, const std::filesystem::path& progs, bool hunt) {
   for (const char* map : {"lq_e0m1", "lq_e1m2"}) {
     Bench bench(data, progs, 4);
     if (!bench.variables().set("sv_protocol", "666").ok()) std::abort();
     bench.start(map);
     bench.join(1);
-    const std::size_t monsters = add_monsters(*bench.server().game());
+    server::Game& game = *bench.server().game();
+    add_monsters(game);
+    if (hunt) set_upon_player(game);
     bench.play(1, true);
-    const std::uint64_t before = bench.server().game()->machine().instructions_run();
+    const std::vector<math::Vec3> places = places_of_monsters(game);
+    const std::uint64_t before = game.machine().instructions_run();
     constexpr double kPlayed_s = 20;
     const double cost_s = bench.play(kPlayed_s, true);
-    const auto instructions =
-        static_cast<double>(bench.server().game()->machine().instructions_run() - before);
-    fmt::print("| {} monsters think on {} | {:.1f} % of a core | {:.2f} M QuakeC instructions a second |\n",
-               monsters, map, 100 * cost_s / kPlayed_s, instructions / kPlayed_s / 1e6);
+    const auto instructions = static_cast<double>(game.machine().instructions_run() - before);
+    const std::vector<math::Vec3> later = places_of_monsters(game);
+    fmt::print(
+        "| {} monsters {} on {}, {} went somewhere | {:.1f} % of a core | {:.2f} M QuakeC instructions a "
+        "second |\n",
+        later.size(), hunt ? "hunt" : "look out", map, count_moved(places, later), 100 * cost_s / kPlayed_s,
+        instructions / kPlayed_s / 1e6);
   }
 }
 
-void bench_clients(const std::filesystem::path& data, const std::filesystem::path& progs) {
+// `max_rate`: bytes a second to each client, 0 for as many as it takes.
+void bench_clients(const std::filesystem::path& data, const std::filesystem::path& progs, int max_rate) {
   for (const bool they_move : {true, false}) {
     Bench bench(data, progs, kClients);
     if (!bench.variables().set("deathmatch", "1").ok()) std::abort();
+    if (!bench.variables().set("sv_maxrate", std::to_string(max_rate)).ok()) std::abort();
     bench.start("lqdm5");
     bench.join(kClients);
     const std::uint64_t before = bench.bytes_to_clients();
     constexpr double kPlayed_s = 20;
     const double cost_s = bench.play(kPlayed_s, they_move);
     const double bytes = static_cast<double>(bench.bytes_to_clients() - before) / kPlayed_s / kClients;
-    fmt::print("| {} clients {} on lqdm5 | {:.1f} % of a core | {:.1f} KB a second to each |\n",
-               bench.playing(), they_move ? "run" : "stand", 100 * cost_s / kPlayed_s, bytes / 1000);
+    fmt::print(
+        "| {} clients {} on lqdm5, sv_maxrate {} | {:.1f} % of a core | {:.1f} KB a second to each |\n",
+        bench.playing(), they_move ? "run" : "stand", max_rate, 100 * cost_s / kPlayed_s, bytes / 1000);
   }
 }
 
@@ -194,8 +253,10 @@ int main(int argument_count, char** arguments) {
     fmt::print(stderr, "usage: served_bench PROGS, with TEMBLOR_DATA naming the base folder\n");
     return 2;
   }
-  temblor::bench_monsters(data, arguments[1]);
-  temblor::bench_clients(data, arguments[1]);
+  temblor::bench_monsters(data, arguments[1], false);
+  temblor::bench_monsters(data, arguments[1], true);
+  temblor::bench_clients(data, arguments[1], 0);
+  temblor::bench_clients(data, arguments[1], 5000);
   temblor::bench_quiet(data, arguments[1]);
   temblor::bench_level_change(data, arguments[1]);
   return 0;

@@ -17,6 +17,7 @@ void Connection::connect(const platform::Address& server, double now_s) {
   to_send_.clear();
   lost_because_.clear();
   answered_signon_ = 0;
+  view_angles_deg_ = math::Vec3{0.0f};
   endpoint_.connect(server, now_s);
 }
 
@@ -44,28 +45,42 @@ void Connection::update(double now_s) {
 
 base::Status Connection::read(base::Bytes packet) {
   reader_.begin(packet);
-  bool has_time = false;
+  bool has_time = false, has_level = false;
   while (true) {
     TRY(const std::optional<net::ServerMessage> message, reader_.next());
     if (!message) break;
     if (std::holds_alternative<net::Disconnect>(*message)) {
       lost_because_ = "the server has ended the connection";
       endpoint_.disconnect();
+      record(packet, has_level);
       return base::Ok{};
     }
     if (const auto* info = std::get_if<net::ServerInfo>(&*message)) {
       endpoint_.set_protocol(info->dialect.protocol);
       answered_signon_ = 0;
       moves_left_out_ = 0;
+      has_level = true;
     }
+    if (const auto* turn = std::get_if<net::SetAngle>(&*message)) view_angles_deg_ = turn->angles_deg;
     has_time |= std::holds_alternative<net::Time>(*message);
     TRY_STATUS(state_.apply(*message));
     if (std::holds_alternative<net::SignonNumber>(*message)) answer_signon();
   }
   state_.end_packet();
   if (has_time) ++updates_;
+  record(packet, has_level);
   run_stuffed_commands();
   return base::Ok{};
+}
+
+void Connection::record(base::Bytes packet, bool begins_level) {
+  if (recording_ && (begins_level || !recording_->is_empty())) recording_->add(view_angles_deg_, packet);
+}
+
+std::optional<base::ByteVector> Connection::finish_recording() {
+  std::optional<net::DemoRecording> recording = std::exchange(recording_, std::nullopt);
+  if (!recording || recording->is_empty()) return std::nullopt;
+  return std::move(*recording).finish();
 }
 
 void Connection::answer_signon() {
@@ -125,6 +140,7 @@ void Connection::send_move(net::Move move) {
     ++moves_left_out_;
     return;
   }
+  view_angles_deg_ = move.angles_deg;
   move.time_s = static_cast<float>(state_.time_s());
   base::ByteWriter writer;
   if (!net::write_client_message(move, reader_.dialect().protocol, writer).ok()) return;

@@ -13,6 +13,7 @@
 #include "client/client_state.h"
 #include "net/client_endpoint.h"
 #include "net/client_message.h"
+#include "net/demo_recording.h"
 #include "net/message_reader.h"
 
 namespace temblor::client {
@@ -48,12 +49,20 @@ class Connection {
   const ClientState& state() const { return state_; }
   // Packets with the game's time that were read: updates.
   std::uint64_t updates() const { return updates_; }
+  // Records what comes from the next level on that the server tells of: a recording holds levels from their
+  // beginning. Goes on through changes of level, until it is taken.
+  void start_recording() { recording_.emplace(); }
+  bool is_recording() const { return recording_.has_value(); }
+  // The recording's bytes (.dem); nothing where no level has begun since, or none was started.
+  std::optional<base::ByteVector> finish_recording();
+
   // Lines that the server wants run here and that are not about the connection itself.
   std::vector<std::string> take_commands() { return std::exchange(commands_, {}); }
   const net::Channel& channel() const { return endpoint_.channel(); }
 
  private:
   base::Status read(base::Bytes packet);
+  void record(base::Bytes packet, bool begins_level);
   void answer_signon();
   void run_stuffed_commands();
   void send_waiting();
@@ -68,6 +77,8 @@ class Connection {
   int answered_signon_ = 0;
   int moves_left_out_ = 0;
   std::uint64_t updates_ = 0;
+  std::optional<net::DemoRecording> recording_;
+  math::Vec3 view_angles_deg_{0.0f};  // as last said by the server or sent to it
 };
 
 }  // namespace temblor::client

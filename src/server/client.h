@@ -8,7 +8,7 @@
 
 #include "base/bytes.h"
 #include "net/server_endpoint.h"
-#include "server/game.h"
+#include "server/client_datagram.h"
 
 namespace temblor::server {
 
@@ -23,7 +23,8 @@ enum class ClientStage {
 // A reliable message that waits for its turn.
 struct WaitingMessage {
   base::ByteVector bytes;
-  bool may_grow = false;  // what comes next may be put behind it
+  bool may_grow = false;   // what comes next may be put behind it
+  bool is_update = false;  // of the game's state (sv_reliableupdates)
 };
 
 struct Client {
@@ -40,6 +41,9 @@ struct Client {
   double joined_at_s = 0;       // of the server's clock
   std::deque<WaitingMessage> waiting;
   std::size_t waiting_bytes = 0;
+  bool sent_update = false;  // what was sent last of them is one
+  Untold untold{};
+  double rate_credit_bytes = 0;     // of sv_maxrate; an update is sent when it is above 0
   std::array<float, 16> pings_s{};  // the last ones, in turn
   std::size_t ping_count = 0;
   double command_credit = 0;  // text commands that it may still give at once

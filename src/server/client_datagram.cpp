@@ -9,6 +9,7 @@ namespace temblor::server {
 namespace {
 
 constexpr int kSwimmingLevel = 2;
+constexpr double kTurnTold_s = 0.03;  // three datagrams at 72 a second
 
 // Upper bits of items: what the mission packs added, or the runes of finished episodes.
 std::uint32_t items_of(Game& io_game, const Edict& edict) {
@@ -69,45 +70,64 @@ void choose_seen(Game& io_game, std::size_t slot, const Snapshot& snapshot, std:
   seen.resize(kept);
 }
 
-// What happened within sight, then what everyone is told.
-void write_events(Game& io_game, std::size_t max_size, const Sight& sight, DatagramCounts& io_counts,
-                  base::ByteWriter& io_writer) {
-  const Outbox& outbox = io_game.outbox();
-  for (const Outbox::Placed& placed : outbox.placed()) {
-    if (placed.place && !sight.sees(*io_game.world().level, *placed.place)) continue;
-    const std::size_t size = placed.end - placed.begin;
-    if (io_writer.size() + size < max_size)
-      io_writer.bytes(outbox.placed_bytes().subspan(placed.begin, size));
+void look_around(Game& io_game, const Edict& player, DatagramScratch& io_scratch) {
+  io_scratch.sight.look(*io_game.world().level, player[field::kOrigin] + player[field::kViewOffset]);
+}
+
+// Each event within sight, then what everyone is told.
+template <typename Write>
+void for_each_event(Game& io_game, const Sight& sight, Write write) {
+  Outbox& outbox = io_game.outbox();
+  for (const Outbox::Placed& placed : outbox.placed())
+    if (!placed.place || sight.sees(*io_game.world().level, *placed.place))
+      write(outbox.placed_bytes().subspan(placed.begin, placed.end - placed.begin));
+  if (outbox.broadcast().size() > 0) write(outbox.broadcast().view());
+}
+
+// What was kept, then what happened this tick, as far as it fits.
+void write_events(Game& io_game, std::size_t max_size, const Sight& sight, Untold& io_untold,
+                  DatagramCounts& io_counts, base::ByteWriter& io_writer) {
+  const auto write = [&](base::Bytes event) {
+    if (io_writer.size() + event.size() < max_size)
+      io_writer.bytes(event);
     else
       io_counts.events_left_out = true;
+  };
+  std::size_t begin = 0;
+  for (const std::size_t end : io_untold.event_ends) {
+    write(base::Bytes(io_untold.events.view()).subspan(begin, end - begin));
+    begin = end;
   }
-  const base::ByteVector& broadcast = io_game.outbox().broadcast().view();
-  if (io_writer.size() + broadcast.size() < max_size)
-    io_writer.bytes(broadcast);
-  else
-    io_counts.events_left_out = true;
+  io_untold.events.truncate(0);
+  io_untold.event_ends.clear();
+  for_each_event(io_game, sight, write);
+}
+
+void write_damage(Game& io_game, const Edict& edict, base::ByteWriter& io_writer) {
+  if (edict[field::kDamageTaken] == 0 && edict[field::kDamageSaved] == 0) return;
+  const Edict inflictor = io_game.world().edicts.at(edict[field::kDamageInflictor]);
+  const math::Vec3 from =
+      inflictor[field::kOrigin] + (inflictor[field::kMins] + inflictor[field::kMaxs]) * 0.5f;
+  const net::Damage damage{.armor = sent_u8(edict[field::kDamageSaved]),
+                           .blood = sent_u8(edict[field::kDamageTaken]),
+                           .from = from};
+  io_game.outbox().write(damage, io_writer);
+  edict.set(field::kDamageTaken, 0.0f);
+  edict.set(field::kDamageSaved, 0.0f);
+}
+
+void write_turn(Game& io_game, const Edict& edict, TurnToTell& io_turn, base::ByteWriter& io_writer) {
+  if (edict[field::kFixAngle] != 0) {
+    io_turn = {finite(edict[field::kAngles]), io_game.time_s() + kTurnTold_s, -1};
+    edict.set(field::kFixAngle, 0.0f);
+  }
+  // Once where time stands still.
+  if (io_game.time_s() > io_turn.until_s || io_game.time_s() == io_turn.told_at_s) return;
+  io_turn.told_at_s = io_game.time_s();
+  io_game.outbox().write(net::SetAngle{io_turn.angles_deg}, io_writer);
 }
 
 }  // namespace
-
-void write_own_events(Game& io_game, std::size_t slot, base::ByteWriter& io_writer) {
-  const Edict edict = io_game.player(slot);
-  if (edict[field::kDamageTaken] != 0 || edict[field::kDamageSaved] != 0) {
-    const Edict inflictor = io_game.world().edicts.at(edict[field::kDamageInflictor]);
-    const math::Vec3 from =
-        inflictor[field::kOrigin] + (inflictor[field::kMins] + inflictor[field::kMaxs]) * 0.5f;
-    const net::Damage damage{.armor = sent_u8(edict[field::kDamageSaved]),
-                             .blood = sent_u8(edict[field::kDamageTaken]),
-                             .from = from};
-    io_game.outbox().write(damage, io_writer);
-    edict.set(field::kDamageTaken, 0.0f);
-    edict.set(field::kDamageSaved, 0.0f);
-  }
-  if (edict[field::kFixAngle] != 0) {
-    io_game.outbox().write(net::SetAngle{finite(edict[field::kAngles])}, io_writer);
-    edict.set(field::kFixAngle, 0.0f);
-  }
-}
 
 net::ClientData client_data_of(Game& io_game, std::size_t slot) {
   const Edict edict = io_game.player(slot);
@@ -136,21 +156,37 @@ net::ClientData client_data_of(Game& io_game, std::size_t slot) {
 }
 
 DatagramCounts write_datagram(Game& io_game, std::size_t slot, const Snapshot& snapshot,
-                              std::size_t max_bytes, DatagramScratch& io_scratch,
+                              std::size_t max_bytes, Untold& io_untold, DatagramScratch& io_scratch,
                               base::ByteWriter& io_writer) {
   const std::size_t max_size = io_writer.size() + max_bytes;
   const Edict edict = io_game.player(slot);
   set_ideal_pitch(io_game.world(), edict.index());
-  io_scratch.sight.look(*io_game.world().level, edict[field::kOrigin] + edict[field::kViewOffset]);
+  look_around(io_game, edict, io_scratch);
 
   DatagramCounts counts;
   io_game.outbox().write(net::Time{static_cast<float>(io_game.time_s())}, io_writer);
-  write_own_events(io_game, slot, io_writer);
+  write_damage(io_game, edict, io_writer);
+  write_turn(io_game, edict, io_untold.turn, io_writer);
   io_game.outbox().write(client_data_of(io_game, slot), io_writer);
   const std::size_t room = max_size > io_writer.size() ? max_size - io_writer.size() : 0;
   choose_seen(io_game, slot, snapshot, room, io_scratch, counts);
   for (const std::uint32_t i : io_scratch.seen) io_writer.bytes(snapshot.update_of(snapshot.entities[i]));
-  write_events(io_game, max_size, io_scratch.sight, counts, io_writer);
+  write_events(io_game, max_size, io_scratch.sight, io_untold, counts, io_writer);
+  return counts;
+}
+
+DatagramCounts keep_events(Game& io_game, std::size_t slot, std::size_t max_bytes,
+                           DatagramScratch& io_scratch, Untold& io_untold) {
+  look_around(io_game, io_game.player(slot), io_scratch);
+  DatagramCounts counts;
+  for_each_event(io_game, io_scratch.sight, [&](base::Bytes event) {
+    if (io_untold.events.size() + event.size() > max_bytes) {
+      counts.events_left_out = true;
+      return;
+    }
+    io_untold.events.bytes(event);
+    io_untold.event_ends.push_back(io_untold.events.size());
+  });
   return counts;
 }
 

@@ -22,16 +22,35 @@ struct DatagramCounts {
   bool events_left_out = false;       // sounds, particles and the like, alike
 };
 
-// What happened to this player that is told once: where he is turned to (fixangle), what hurt him (dmg_take
-// and dmg_save, which are then 0 again). Written to the datagram's beginning.
-void write_own_events(Game& io_game, std::size_t slot, base::ByteWriter& io_writer);
+// Where a player is turned to by the game (fixangle). Told in several datagrams: nothing else of a datagram
+// is missed for long when it is lost, but who went through a teleporter would go on looking at its wall.
+struct TurnToTell {
+  math::Vec3 angles_deg{0.0f};
+  double until_s = -1;  // of the game's time; soon over, or who turns meanwhile would be turned back
+  double told_at_s = 0;
+};
+
+// What a player has still to be told in the next datagrams.
+struct Untold {
+  TurnToTell turn{};
+  // Of ticks of which he got no datagram, see keep_events(): bytes, and where each event ends.
+  base::ByteWriter events{};
+  std::vector<std::size_t> event_ends{};
+};
+
 // Status bar, weapon and view.
 net::ClientData client_data_of(Game& io_game, std::size_t slot);
 
-// Appends at most `max_bytes`. Where not everything that is seen fits, the farthest is left out; what
-// happened (Outbox::placed and broadcast) comes last and only as far as it fits, as in the original.
+// Appends at most `max_bytes`. Told once is what hurt the player (dmg_take and dmg_save, which are then 0
+// again), and a turn in the datagrams of the next moment: it is set from fixangle, which is then 0 again.
+// Where not everything that is seen fits, the farthest is left out; what happened (kept events,
+// Outbox::placed and broadcast) comes last and only as far as it fits, as in the original.
 DatagramCounts write_datagram(Game& io_game, std::size_t slot, const Snapshot& snapshot,
-                              std::size_t max_bytes, DatagramScratch& io_scratch,
+                              std::size_t max_bytes, Untold& io_untold, DatagramScratch& io_scratch,
                               base::ByteWriter& io_writer);
+
+// Instead of a datagram: what happened this tick, for the next one. At most `max_bytes` are kept.
+DatagramCounts keep_events(Game& io_game, std::size_t slot, std::size_t max_bytes,
+                           DatagramScratch& io_scratch, Untold& io_untold);
 
 }  // namespace temblor::server

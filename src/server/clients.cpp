@@ -97,9 +97,23 @@ void Clients::send_waiting() {
     const WaitingMessage& next = client.waiting.front();
     const base::Status sent = endpoint_.send_reliable(client.connection, next.bytes);
     if (!sent.ok()) client.doom = sent.error().message();
+    client.sent_update = next.is_update;
     client.waiting_bytes -= next.bytes.size();
     client.waiting.pop_front();
   }
+}
+
+void Clients::queue_update(std::size_t slot, base::Bytes update) {
+  Client& client = clients_[slot];
+  client.waiting_bytes += update.size();
+  client.waiting.push_back({base::ByteVector(update.begin(), update.end()), false, true});
+}
+
+bool Clients::has_update_under_way(std::size_t slot) const {
+  const Client& client = clients_[slot];
+  if (client.sent_update && !endpoint_.can_send_reliable(client.connection)) return true;
+  return std::any_of(client.waiting.begin(), client.waiting.end(),
+                     [](const WaitingMessage& message) { return message.is_update; });
 }
 
 void Clients::send_unreliable(std::size_t slot, base::Bytes bytes) {

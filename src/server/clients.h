@@ -46,6 +46,9 @@ class Clients {
 
   // Gives each connection its next message if it is ready for one.
   void send_waiting();
+  // An update of the game's state, reliably; has_update_under_way() until it has arrived.
+  void queue_update(std::size_t slot, base::Bytes update);
+  bool has_update_under_way(std::size_t slot) const;
   void send_unreliable(std::size_t slot, base::Bytes bytes);
   // Makes the place free again and lets go of the connection, with the reason for the client's eyes.
   void release(std::size_t slot, std::string_view reason);

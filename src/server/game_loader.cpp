@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "base/hash.h"
@@ -42,21 +43,21 @@ base::Result<std::shared_ptr<const vm::Program>> load_program(const vfs::FileSys
   }
   if (!files.contains(kProgramName))
     return base::error(base::ErrorCode::kNotFound,
-                       "there is no {} in the game folders: without the game's code there is no game",
+                       "there is no {} in the game folders: without the game's code there is no game; "
+                       "--progs FILE names one elsewhere",
                        kProgramName);
   TRY(const base::ByteVector bytes, files.read(kProgramName));
   return make_program(bytes, files.describe(kProgramName), files.read("progs.lno"));
 }
 
 // What this dialect cannot say of the game; nothing when it can say all.
-std::optional<std::string> reason_against(Game& io_game) {
+std::optional<std::string> reason_against(Game& io_game, std::size_t entities_to_come) {
   const net::Dialect& dialect = io_game.setup().dialect;
   if (io_game.outbox().dropped() > 0)
     return fmt::format("{} messages of the level's beginning cannot be said", io_game.outbox().dropped());
-  if (dialect.protocol == net::Protocol::kNetQuake &&
-      io_game.world().edicts.count() > kMaxEntitiesOfProtocol15)
-    return fmt::format("{} entities are more than {}", io_game.world().edicts.count(),
-                       kMaxEntitiesOfProtocol15);
+  const std::size_t entities = std::max<std::size_t>(io_game.world().edicts.count(), entities_to_come);
+  if (dialect.protocol == net::Protocol::kNetQuake && entities > kMaxEntitiesOfProtocol15)
+    return fmt::format("{} entities are more than {}", entities, kMaxEntitiesOfProtocol15);
   const base::Result<base::ByteVector> message = level_message(io_game, 0);
   if (!message.ok()) return message.error().what;
   return std::nullopt;
@@ -96,7 +97,7 @@ base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVaria
     if (!game.ok() && !is_last) continue;
     if (!game.ok()) return game.error();
     result.game = std::move(game).value();
-    const std::optional<std::string> reason = reason_against(*result.game);
+    const std::optional<std::string> reason = reason_against(*result.game, request.entities_to_come);
     if (!reason) break;
     if (is_last)
       result.notes.push_back(

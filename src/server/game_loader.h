@@ -21,6 +21,8 @@ struct GameRequest {
   std::filesystem::path program_file{};  // empty: the game folders' progs.dat
   std::uint32_t max_clients = 1;
   std::uint64_t seed = 1;
+  // Numbers of entities that a saved game will bring along; the protocol must have so many at least.
+  std::size_t entities_to_come = 0;
 };
 
 struct LoadedGame {

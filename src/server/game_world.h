@@ -53,6 +53,8 @@ struct GameWorld {
   PhysicsSettings settings{};
   double time_s = 1;
   double tick_s = 1.0 / 72;  // frametime
+  float ideal_pitch_scale =
+      0.8f;  // degrees that players look down or up, a unit that each step of a stair rises
   // Fields that a program may define beside the system's.
   std::optional<Field<float>> gravity_field{};
   std::vector<PhysicsSound> sounds{};  // of this tick: whoever runs the tick takes and clears them

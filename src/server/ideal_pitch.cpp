@@ -14,7 +14,6 @@ constexpr float kFirstProbe_units = 36, kProbeStep_units = 12;
 constexpr float kReachDown_units = 160;
 constexpr float kSameHeight_units = 10;  // two steps that differ by less are of one stair
 constexpr int kStepsOfAStair = 2;
-constexpr float kPitchScale = 0.8f;  // sv_idealpitchscale
 
 // The floor's height at each probe, from far above it; nothing where there is a wall or an abyss.
 std::optional<std::array<float, kProbes>> floor_ahead(GameWorld& io_world, const Edict& player) {
@@ -52,7 +51,7 @@ void set_ideal_pitch(GameWorld& io_world, vm::EntityIndex index) {
   if (step == 0)
     player.set(field::kIdealPitch, 0.0f);
   else if (steps >= kStepsOfAStair)
-    player.set(field::kIdealPitch, -step * kPitchScale);
+    player.set(field::kIdealPitch, -step * io_world.ideal_pitch_scale);
 }
 
 }  // namespace temblor::server

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/result.h"
-#include "formats/dem.h"
+#include "net/demo_recording.h"
 #include "server/client.h"
 #include "server/game.h"
 
@@ -18,21 +18,20 @@ class Recorder {
                                       std::filesystem::path file);
 
   std::size_t slot() const { return slot_; }
-  // It is held in memory until it is finished; what comes when it is full is left out.
-  static constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
-  bool is_full() const { return bytes_ >= kMaxBytes; }
+  bool is_full() const { return recording_.is_full(); }
   const std::filesystem::path& file() const { return file_; }
   // What this player is told in one tick.
-  void add(const math::Vec3& view_angles_deg, base::Bytes messages);
+  void add(const math::Vec3& view_angles_deg, base::Bytes messages) {
+    recording_.add(view_angles_deg, messages);
+  }
   // The recording's bytes, with its end.
-  base::ByteVector finish() &&;
+  base::ByteVector finish() && { return std::move(recording_).finish(); }
 
  private:
   Recorder(std::size_t slot, std::filesystem::path file) : slot_(slot), file_(std::move(file)) {}
   std::size_t slot_;
-  std::size_t bytes_ = 0;
   std::filesystem::path file_;
-  formats::DemWriter writer_;
+  net::DemoRecording recording_;
 };
 
 }  // namespace temblor::server

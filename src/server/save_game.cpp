@@ -95,6 +95,12 @@ formats::Sav save_of(const Game& game, std::string comment) {
   return sav;
 }
 
+std::size_t entities_of(const formats::Sav& sav) {
+  std::size_t count = sav.entities.size();
+  while (count > 0 && sav.entities[count - 1].empty()) --count;
+  return count;
+}
+
 base::Result<std::vector<std::string>> restore(const formats::Sav& sav, Game& io_game) {
   if (sav.entities.size() < 2) return base::malformed("has no entity for the player");
   std::vector<std::string> notes;

@@ -82,6 +82,8 @@ void Server::take_up(LoadedGame loaded) {
     client.waiting.clear();
     client.waiting_bytes = 0;
     client.frags_told = 0;
+    client.sent_update = false;
+    client.untold = {};
     clients_.tell(slot, net::StuffText{"reconnect\n"});
     if (const base::Status told = tell_level(slot); !told.ok()) client.doom = told.error().message();
   }
@@ -165,6 +167,7 @@ base::Status Server::load(std::string_view name) {
   GameRequest request = request_for(sav.map);
   request.skill = sav.skill;
   request.kind = GameKind::kSingle;
+  request.entities_to_come = entities_of(sav);
   TRY(LoadedGame loaded, load_game(request, setup_.settings, services()));
   TRY(const std::vector<std::string> notes, restore(sav, *loaded.game).with_file(file.string()));
   loaded.notes.insert(loaded.notes.end(), notes.begin(), notes.end());
@@ -183,6 +186,8 @@ base::Status Server::reload() {
   request.kind = old.kind;
   request.skill = old.skill;
   request.server_flags = old.server_flags;
+  const formats::Sav going_on = save_of(*game_, "");
+  request.entities_to_come = entities_of(going_on);
   TRY(LoadedGame loaded, load_game(request, setup_.settings, services()));
 
   // The game goes on where the level is the same and the new program knows all that the old one remembers.
@@ -190,7 +195,7 @@ base::Status Server::reload() {
   for (std::size_t slot = 0; slot < clients_.size(); ++slot) goes_on[slot] = clients_[slot].is_in_game();
   const bool is_same_level = loaded.game->setup().level_hash == old.level_hash;
   if (is_same_level) {
-    const auto notes = restore(save_of(*game_, ""), *loaded.game);
+    const auto notes = restore(going_on, *loaded.game);
     if (notes.ok() && notes->empty()) {
       loaded.game->context().spawn_parameters = game_->context().spawn_parameters;
       take_up(std::move(loaded));
@@ -201,8 +206,9 @@ base::Status Server::reload() {
     }
     const std::string reason = notes.ok() ? notes->front() : notes.error().message();
     print(fmt::format("the game cannot go on: {}\n", reason));
-    TRY(loaded, load_game(request, setup_.settings, services()));
   }
+  request.entities_to_come = 0;
+  TRY(loaded, load_game(request, setup_.settings, services()));
   take_up(std::move(loaded));
   print("reloaded: the level starts anew\n");
   return base::Ok{};
@@ -285,6 +291,7 @@ base::Status Server::record(std::size_t slot, std::string_view name) {
 base::Status Server::stop_recording() {
   if (!recorder_) return base::error(base::ErrorCode::kUsage, "no recording is running");
   const std::filesystem::path file = recorder_->file();
+  if (recorder_->is_full()) print("the recording was full: its end is missing\n");
   const base::ByteVector bytes = std::move(*recorder_).finish();
   recorder_.reset();
   clients_.listen_to(std::nullopt);

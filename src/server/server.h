@@ -100,7 +100,7 @@ class Server {
   void take_event(const net::RemoteCommand& event);
   net::ServerDescription description() const;
   void leave(std::size_t slot);
-  void take_messages(std::size_t slot, base::Bytes bytes);
+  void take_messages(std::size_t slot, base::Bytes bytes, bool is_reliable);
   void take_command(std::size_t slot, std::string_view line);
   // Answers to what clients ask for while they join; each fails where QuakeC does.
   base::Status tell_level(std::size_t slot);
@@ -123,6 +123,8 @@ class Server {
   // Ticks (server_tick.cpp).
   void run_tick();
   void send_tick();
+  bool take_turn(std::size_t slot);
+  void record_of(std::size_t slot, base::Bytes messages);
   void send_to(std::size_t slot);
   void tell_frags();
   void clear_flashes();

@@ -48,7 +48,7 @@ void Server::take_event(const net::PeerConnected& event) {
 
 void Server::take_event(const net::PeerMessage& event) {
   if (const std::optional<std::size_t> slot = clients_.slot_of(event.connection))
-    take_messages(*slot, event.bytes);
+    take_messages(*slot, event.bytes, event.reliable);
 }
 
 void Server::take_event(const net::PeerDisconnected& event) {
@@ -112,8 +112,14 @@ void Server::begin_play(std::size_t slot) {
   print(fmt::format("{} entered the game\n", client.name));
 }
 
-void Server::take_messages(std::size_t slot, base::Bytes bytes) {
+void Server::take_messages(std::size_t slot, base::Bytes bytes, bool is_reliable) {
   net::ClientMessageReader reader(bytes, clients_.dialect().protocol);
+  // Moves that were on their way when the level changed are in its protocol, which may have been another.
+  if (!is_reliable && clients_[slot].stage != ClientStage::kPlaying) {
+    const auto message = reader.next();
+    const bool leaves = message.ok() && *message && std::holds_alternative<net::Disconnect>(**message);
+    return leaves ? drop(slot, "left") : void();
+  }
   while (true) {
     const auto message = reader.next();
     Client& client = clients_[slot];

@@ -13,7 +13,12 @@ namespace {
 constexpr double kLongestWait_s = 0.25;  // after which the world has stood still rather than run ahead
 // What is certain to get through whole on every way between two machines; stock clients take 1024.
 constexpr std::size_t kMaxDatagram = 1400, kMaxStockDatagram = 1024;
-constexpr int kMuzzleFlash = 2;  // of `effects`
+constexpr double kRateBurst_s = 0.1;  // of sv_maxrate that may be saved up
+constexpr int kMuzzleFlash = 2;       // of `effects`
+
+std::size_t max_datagram(const Game& game) {
+  return game.setup().dialect.protocol == net::Protocol::kNetQuake ? kMaxStockDatagram : kMaxDatagram;
+}
 
 }  // namespace
 
@@ -43,7 +48,8 @@ void Server::step(double now_s) {
 
 void Server::run_tick() {
   game_->world().settings = setup_.settings.physics();
-  game_->world().tick_s = setup_.settings.tick_s();
+  game_->world().tick_s = setup_.settings.world_tick_s();
+  game_->world().ideal_pitch_scale = setup_.settings.ideal_pitch_scale();
   for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
     Client& client = clients_[slot];
     client.input.is_active = client.is_in_game();
@@ -71,22 +77,47 @@ void Server::send_tick() {
     clients_.queue(slot, outbox.reliable().view());
     if (const base::ByteWriter* own = outbox.reliable_to(Game::player_index(slot)))
       clients_.queue(slot, own->view());
-    if (clients_[slot].stage == ClientStage::kPlaying) send_to(slot);
+    if (clients_[slot].stage != ClientStage::kPlaying) continue;
+    if (recorder_ && recorder_->slot() == slot) record_of(slot, clients_.take_heard());
+    if (take_turn(slot))
+      send_to(slot);
+    else
+      keep_events(*game_, slot, max_datagram(*game_), scratch_, clients_[slot].untold);
   }
   clear_flashes();
   outbox.clear_tick();
 }
 
-void Server::send_to(std::size_t slot) {
-  const bool is_stock = game_->setup().dialect.protocol == net::Protocol::kNetQuake;
-  datagram_.truncate(0);
-  write_datagram(*game_, slot, snapshot_, is_stock ? kMaxStockDatagram : kMaxDatagram, scratch_, datagram_);
-  clients_.send_unreliable(slot, datagram_.view());
-  if (recorder_ && recorder_->slot() == slot) {
-    const base::ByteVector heard = clients_.take_heard();
-    recorder_->add(game_->player(slot)[field::kViewAngles], heard);
-    recorder_->add(game_->player(slot)[field::kViewAngles], datagram_.view());
+// Whether this client gets an update of this tick, once a tick: not while one that must arrive is under way,
+// nor when it has had more bytes than it may.
+bool Server::take_turn(std::size_t slot) {
+  Client& client = clients_[slot];
+  const bool waits = setup_.settings.has_reliable_updates() && clients_.has_update_under_way(slot);
+  const double rate = setup_.settings.max_rate_bytes_per_second();
+  if (rate == 0) {
+    client.rate_credit_bytes = 0;
+    return !waits;
   }
+  client.rate_credit_bytes =
+      std::min(client.rate_credit_bytes + rate * setup_.settings.tick_s(), rate * kRateBurst_s);
+  return !waits && client.rate_credit_bytes > 0;
+}
+
+void Server::record_of(std::size_t slot, base::Bytes messages) {
+  if (recorder_ && recorder_->slot() == slot)
+    recorder_->add(game_->player(slot)[field::kViewAngles], messages);
+}
+
+void Server::send_to(std::size_t slot) {
+  Client& client = clients_[slot];
+  datagram_.truncate(0);
+  write_datagram(*game_, slot, snapshot_, max_datagram(*game_), client.untold, scratch_, datagram_);
+  client.rate_credit_bytes -= static_cast<double>(datagram_.size());
+  if (setup_.settings.has_reliable_updates())
+    clients_.queue_update(slot, datagram_.view());
+  else
+    clients_.send_unreliable(slot, datagram_.view());
+  record_of(slot, datagram_.view());
 }
 
 void Server::tell_frags() {

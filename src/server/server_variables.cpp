@@ -50,6 +50,18 @@ ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(
 
   tick_rate_ = v.add_float("sys_ticrate", 1.0 / 72, 0.001, 0.1,
                            "Seconds between two steps of the world; the original's servers: 0.05.");
+  frame_time_ = v.add_float("host_framerate", 0, 0, 0.1,
+                            "Seconds that each step moves the world on, whatever the clock says; 0: as many "
+                            "as it took.");
+  ideal_pitch_scale_ =
+      v.add_float("sv_idealpitchscale", 0.8, -kHuge, kHuge,
+                  "Degrees that players on stairs look down or up, for each unit that a step rises.");
+  reliable_updates_ = v.add_bool("sv_reliableupdates", false,
+                                 "Updates are sent until they arrive, and none meanwhile: a lost packet then "
+                                 "stops the game, as in the first versions of Quake; to see the difference.");
+  max_rate_ = v.add_int("sv_maxrate", 0, 0, 10'000'000,
+                        "Bytes a second of updates to each client; where they do not suffice, it gets fewer "
+                        "updates; 0: one each step.");
   autosave_ = v.add_float("sv_autosave", 0, 0, 1440,
                           "Minutes between two saves of a game without being asked; 0: never.");
   constexpr std::array<std::string_view, 4> kProtocols = {"auto", "15", "666", "999"};
@@ -105,6 +117,19 @@ int ServerVariables::skill() const {
 
 double ServerVariables::tick_s() const {
   return variables_->float_value(tick_rate_);
+}
+double ServerVariables::world_tick_s() const {
+  const double frame_time_s = variables_->float_value(frame_time_);
+  return frame_time_s > 0 ? frame_time_s : tick_s();
+}
+float ServerVariables::ideal_pitch_scale() const {
+  return static_cast<float>(variables_->float_value(ideal_pitch_scale_));
+}
+bool ServerVariables::has_reliable_updates() const {
+  return variables_->bool_value(reliable_updates_);
+}
+double ServerVariables::max_rate_bytes_per_second() const {
+  return static_cast<double>(variables_->int_value(max_rate_));
 }
 double ServerVariables::autosave_s() const {
   return variables_->float_value(autosave_) * 60;

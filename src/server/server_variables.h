@@ -19,9 +19,13 @@ class ServerVariables {
   // Sets coop and deathmatch to what a game is.
   void set_kind(GameKind kind) const;
   bool is_pausable() const;
-  int skill() const;  // 0 to 3
-  double tick_s() const;
-  double autosave_s() const;  // 0: never
+  int skill() const;            // 0 to 3
+  double tick_s() const;        // of the clock, from one step to the next
+  double world_tick_s() const;  // that a step moves the world on
+  float ideal_pitch_scale() const;
+  bool has_reliable_updates() const;
+  double max_rate_bytes_per_second() const;  // 0: no limit
+  double autosave_s() const;                 // 0: never
   // Nothing: chosen by what the level needs.
   std::optional<net::Protocol> protocol() const;
   std::string host_name() const;
@@ -39,7 +43,8 @@ class ServerVariables {
   command::VariableIndex gravity_, max_velocity_, friction_, edge_friction_, stop_speed_, accelerate_,
       max_speed_, no_step_;
   command::VariableIndex skill_, deathmatch_, coop_, tick_rate_, autosave_, protocol_, host_name_, timeout_,
-      rcon_password_, cheats_, reload_, pausable_;
+      rcon_password_, cheats_, reload_, pausable_, frame_time_, ideal_pitch_scale_, reliable_updates_,
+      max_rate_;
 };
 
 }  // namespace temblor::server

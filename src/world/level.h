@@ -118,9 +118,9 @@ enum class TextureKind : std::uint8_t { kOpaque, kCutout, kSky, kLiquid };
 // Always drawable: a texture that the level lacks is a 64 x 64 checker with `missing` set.
 struct Texture {
   std::string name;
-  TextureKind kind;
-  bool missing;
-  std::uint32_t width, height;  // of mip 0, at least 1, any size
+  TextureKind kind = TextureKind::kOpaque;
+  bool missing = false;
+  std::uint32_t width = 1, height = 1;  // of mip 0, at least 1, any size
   // Mip level k: (max(1, width >> k)) x (max(1, height >> k)) palette indices, row by row.
   std::array<std::vector<std::uint8_t>, 4> mips;
   // Animation: `frames` is the sequence that this texture belongs to (+0.. or +a..; real levels use either on

@@ -22,9 +22,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 namespace field = server::field;
 
-#define SKIP_WITHOUT_QUAKEC() \
-  if (!has_quakec_compiler()) GTEST_SKIP() << "fteqcc, which compiles QuakeC, is not here"
-
 TEST(HostileProgram, ValuesThatNoMessageHoldsDoNotEndTheServer) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(small_program(), {.max_clients = 1});

@@ -1,7 +1,10 @@
 #include "served/served_game.h"
 
+#include <chrono>
 #include <fstream>
+#include <thread>
 
+#include "platform/posix/udp_socket.h"
 #include "support/game_data.h"
 #include "support/quakec.h"
 #include "vfs/disk.h"
@@ -63,7 +66,7 @@ std::string small_program(std::string_view extra) {
 }
 
 ServedGame::ServedGame(std::string_view program, const ServedGameOptions& options)
-    : network_(options.conditions, options.seed) {
+    : is_real_(options.is_real), network_(options.conditions, options.seed) {
   game_folder_.folder().write("id1/progs/player.mdl", "a server asks only whether it is there");
   replace_program(program);
   auto files = vfs::FileSystem::open(game_folder_.path());
@@ -71,7 +74,8 @@ ServedGame::ServedGame(std::string_view program, const ServedGameOptions& option
   library_ = std::make_unique<assets::Library>(std::move(*files));
   settings_ = std::make_unique<server::ServerVariables>(variables_);
   net::ServerEndpoint::Sockets sockets;
-  sockets.push_back(network_.open(kServedAddress));
+  sockets.push_back(open_socket(kServedAddress));
+  if (is_real_) server_address_ = platform::ip4_address({127, 0, 0, 1}, sockets[0]->local_address().port);
   server_ = std::make_unique<server::Server>(server::ServerSetup{
       .library = *library_,
       .settings = *settings_,
@@ -93,26 +97,45 @@ void ServedGame::replace_program(std::string_view program) {
   game_folder_.folder().write("id1/progs.dat", compile_quakec(program));
 }
 
+std::unique_ptr<platform::DatagramSocket> ServedGame::open_socket(const platform::Address& address) {
+  if (!is_real_) return network_.open(address);
+  auto socket = platform::posix::open_udp_socket({.port = 0, .host = "127.0.0.1"});
+  CHECK(socket.ok(), "{}", socket.error().message());
+  return std::move(socket).value();
+}
+
 std::size_t ServedGame::add_client(std::string name) {
   const auto number = static_cast<std::uint8_t>(clients_.size() + 2);
   clients_.push_back(
-      std::make_unique<client::Connection>(network_.open(platform::ip4_address({10, 0, 0, number}, 4000)),
+      std::make_unique<client::Connection>(open_socket(platform::ip4_address({10, 0, 0, number}, 4000)),
                                            client::PlayerSettings{std::move(name), 4, 7}));
   prints_.emplace_back();
-  clients_.back()->connect(kServedAddress, now_s_);
+  sounds_.push_back(0);
+  clients_.back()->connect(server_address_, now_s_);
   return clients_.size() - 1;
+}
+
+void ServedGame::advance_clock() {
+  if (is_real_) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(1.0 / 72));
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - began_;
+    now_s_ = kBegin_s + since.count();
+  } else {
+    now_s_ += 1.0 / 72;
+    network_.advance_to(now_s_);
+  }
 }
 
 void ServedGame::run(double seconds, const net::Move& move) {
   const double until_s = now_s_ + seconds;
   while (now_s_ < until_s) {
-    now_s_ += 1.0 / 72;
-    network_.advance_to(now_s_);
+    advance_clock();
     server_->step(now_s_);
     for (std::size_t i = 0; i < clients_.size(); ++i) {
       clients_[i]->update(now_s_);
       clients_[i]->send_move(move);
       for (const std::string& text : clients_[i]->state().events().prints) prints_[i] += text;
+      sounds_[i] += clients_[i]->state().events().sounds.size();
       clients_[i]->state().events().clear();
     }
   }

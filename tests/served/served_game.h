@@ -1,6 +1,7 @@
 // A server with a small game and clients of ours, on a network and a clock that the test turns.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -29,6 +30,8 @@ struct ServedGameOptions {
   std::uint32_t max_clients = 4;
   NetworkConditions conditions{};
   std::uint64_t seed = 1;
+  // UDP on this machine and its clock, instead of the network and the clock that the test turns.
+  bool is_real = false;
 };
 
 class ServedGame {
@@ -38,7 +41,8 @@ class ServedGame {
 
   // Asks for a connection; run() does the rest.
   std::size_t add_client(std::string name);
-  // Turns the clock, in steps of 1/72 s; every client that plays sends `move` each step.
+  // Turns the clock (waits, on a real one), in steps of 1/72 s; every client that plays sends `move` each
+  // step.
   void run(double seconds, const net::Move& move = {});
   // Until it plays, ten seconds at most. False: it does not.
   bool run_until_playing(std::size_t client);
@@ -50,6 +54,8 @@ class ServedGame {
   // All that the server printed, and all that this client was told to print.
   const std::string& console() const { return console_; }
   const std::string& prints(std::size_t client) const { return prints_[client]; }
+  // Sounds that this client was told to make.
+  std::size_t sounds(std::size_t client) const { return sounds_[client]; }
   command::Variables& variables() { return variables_; }
   BadNetwork& network() { return network_; }
   const TemporaryFolder& folder() const { return game_folder_.folder(); }
@@ -58,6 +64,13 @@ class ServedGame {
   void replace_program(std::string_view program);
 
  private:
+  std::unique_ptr<platform::DatagramSocket> open_socket(const platform::Address& address);
+  void advance_clock();
+
+  static constexpr double kBegin_s = 100;
+
+  bool is_real_;
+  platform::Address server_address_ = kServedAddress;
   SmallGame game_folder_;
   command::Variables variables_;
   std::unique_ptr<server::ServerVariables> settings_;
@@ -66,8 +79,10 @@ class ServedGame {
   std::unique_ptr<server::Server> server_;
   std::vector<std::unique_ptr<client::Connection>> clients_;
   std::vector<std::string> prints_;
+  std::vector<std::size_t> sounds_;
   std::string console_;
-  double now_s_ = 100;
+  double now_s_ = kBegin_s;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace temblor::test

@@ -17,9 +17,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-#define SKIP_WITHOUT_QUAKEC() \
-  if (!has_quakec_compiler()) GTEST_SKIP() << "fteqcc, which compiles QuakeC, is not here"
-
 net::Move forward(std::int16_t speed = 400) {
   return {.forward = speed};
 }
@@ -133,6 +130,24 @@ TEST(Server, LevelChangesKeepPlayersAndWhatTheyCarry) {
   EXPECT_EQ(served.game().server_flags(), 0);
 }
 
+// Moves of the old level are still on their way when the server speaks another protocol.
+TEST(Server, LevelChangesToAnotherProtocolKeepPlayers) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(small_program(), {.conditions = {.delay_s = 0.1, .jitter_s = 0.05}});
+  const std::size_t me = served.add_client("traveller");
+  ASSERT_TRUE(served.run_until_playing(me));
+  for (const auto& [name, protocol] :
+       {std::pair{"666", net::Protocol::kFitzQuake}, std::pair{"15", net::Protocol::kNetQuake},
+        std::pair{"999", net::Protocol::kRmq}}) {
+    ASSERT_TRUE(served.variables().set("sv_protocol", name).ok());
+    served.run(1, forward());
+    served.command("changelevel small");
+    served.run(5, forward());
+    ASSERT_TRUE(served.client(me).is_playing()) << name << ' ' << served.console();
+    EXPECT_EQ(served.game().setup().dialect.protocol, protocol);
+  }
+}
+
 TEST(Server, UnknownLevelsLeaveTheGameAsItIs) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served;
@@ -166,6 +181,44 @@ TEST(Server, SavedGamesGoOn) {
   EXPECT_LT(glm::distance(place, served.game().player(0)[server::field::kOrigin]), 1);
   EXPECT_GT(served.game().time_s(), time_s);
   EXPECT_FALSE(served.server().is_paused());
+}
+
+// What protocol 15 has no numbers for while the level begins may have come since.
+TEST(Server, ASavedGameChoosesTheProtocolThatItNeeds) {
+  SKIP_WITHOUT_QUAKEC();
+  std::string program = small_program();
+  constexpr std::string_view kStill = "void() StartFrame = {};";
+  program.replace(program.find(kStill), kStill.size(), R"(
+    void() StartFrame = {
+      local float left;
+      local entity thing;
+      left = cvar("temp1");
+      cvar_set("temp1", "0");
+      while (left > 0) { thing = spawn(); thing.classname = "thing"; left = left - 1; }
+    };
+  )");
+  ServedGame served(program, {.max_clients = 1});
+  const std::size_t me = served.add_client("saver");
+  ASSERT_TRUE(served.run_until_playing(me));
+  EXPECT_EQ(served.game().setup().dialect.protocol, net::Protocol::kNetQuake);
+  served.command("temp1 650");
+  served.run(0.5);
+  served.command("save many");
+  served.run(0.1);
+  served.command("load many");
+  served.run(3);
+  ASSERT_TRUE(served.client(me).is_playing()) << served.client(me).lost_because() << served.console();
+  EXPECT_GT(served.game().world().edicts.count(), 600u);
+  EXPECT_EQ(served.game().setup().dialect.protocol, net::Protocol::kFitzQuake);
+}
+
+TEST(Server, AFrameTimeOfTheHostMovesTheWorldOnWhateverTheClockSays) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  const double before_s = served.game().time_s();
+  ASSERT_TRUE(served.variables().set("host_framerate", "0.05").ok());
+  served.run(1);
+  EXPECT_NEAR(served.game().time_s() - before_s, 72 * 0.05, 0.11);
 }
 
 TEST(Server, DamagedSavesLeaveTheGameAsItIs) {

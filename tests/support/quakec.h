@@ -20,7 +20,10 @@ std::shared_ptr<const vm::Program> load_quakec(std::string_view source);
 
 }  // namespace temblor::test
 
+#define SKIP_WITHOUT_QUAKEC() \
+  if (!::temblor::test::has_quakec_compiler()) GTEST_SKIP() << "fteqcc, which compiles QuakeC, is not here"
+
 // Declares `variable` as the program of that source, or skips the test and says why.
-#define QUAKEC_OR_SKIP(variable, source)                                                                     \
-  if (!::temblor::test::has_quakec_compiler()) GTEST_SKIP() << "fteqcc, which compiles QuakeC, is not here"; \
+#define QUAKEC_OR_SKIP(variable, source) \
+  SKIP_WITHOUT_QUAKEC();                 \
   const auto variable = ::temblor::test::load_quakec(source)
