@@ -75,8 +75,7 @@ base::Status run(const Commands& commands) {
   TRY_STATUS(apply_options(commands.common, std::nullopt, variables));
   if (commands.inspect_command->parsed()) return run_inspect(commands.inspect);
   if (commands.compile_command->parsed()) return run_compile(commands.compile, commands.common.folders);
-  if (commands.serve_command->parsed())
-    return run_serve(commands.serve, commands.common.folders, server_variables);
+  if (commands.serve_command->parsed()) return run_serve(commands.serve, commands.common, server_variables);
   run_settings(variables);
   return base::Ok{};
 }

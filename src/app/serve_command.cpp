@@ -137,9 +137,9 @@ CLI::App* add_serve_command(CLI::App& program, ServeOptions& io_options) {
   return command;
 }
 
-base::Status run_serve(const ServeOptions& options, const GameFolders& folders,
+base::Status run_serve(const ServeOptions& options, const CommonOptions& common,
                        const server::ServerVariables& settings) {
-  TRY(vfs::FileSystem files, open_files(folders));
+  TRY(vfs::FileSystem files, open_files(common.folders));
   const assets::Library library(std::move(files));
   net::ServerEndpoint::Sockets sockets(1);
   TRY(sockets[0], platform::posix::open_udp_socket({.port = options.port, .host = options.host}));
@@ -156,8 +156,11 @@ base::Status run_serve(const ServeOptions& options, const GameFolders& folders,
                          .seed = any_seed()});
   server.console().set_loader(
       [&](std::string_view name) { return read_configuration(library.files(), name); });
-  if (library.files().contains(kConfiguration))
+  if (library.files().contains(kConfiguration)) {
     server.console().append(fmt::format("exec {}", kConfiguration));
+    server.console().run();
+    TRY_STATUS(apply_options(common, std::nullopt, settings.variables()));
+  }
   for (const std::string& line : options.execute) server.console().append(line);
   server.console().run();
   TRY_STATUS(server.start_map(options.map));

@@ -28,8 +28,9 @@ struct ServeOptions {
 
 CLI::App* add_serve_command(CLI::App& program, ServeOptions& io_options);
 
-// Until `quit`, Ctrl-C or SIGTERM.
-base::Status run_serve(const ServeOptions& options, const GameFolders& folders,
+// Until `quit`, Ctrl-C, SIGTERM or the terminal's end. `common`: its --set are taken once more after
+// server.cfg, so that the command line has the last word.
+base::Status run_serve(const ServeOptions& options, const CommonOptions& common,
                        const server::ServerVariables& settings);
 
 }  // namespace temblor::app

@@ -40,8 +40,11 @@ struct Client {
   std::int16_t frags_told = 0;  // what clients know
   double joined_at_s = 0;       // of the server's clock
   std::deque<WaitingMessage> waiting;
+  // While it loads: stock clients that read anything then give up. Sent behind the level's beginning.
+  std::deque<WaitingMessage> held;
   std::size_t waiting_bytes = 0;
-  bool sent_update = false;  // what was sent last of them is one
+  bool loads_old_level = false;  // was told of one that is over before it had loaded it
+  bool sent_update = false;      // what was sent last of them is one
   Untold untold{};
   double rate_credit_bytes = 0;     // of sv_maxrate; an update is sent when it is above 0
   std::array<float, 16> pings_s{};  // the last ones, in turn

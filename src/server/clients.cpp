@@ -1,6 +1,7 @@
 #include "server/clients.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "net/message_writer.h"
@@ -41,13 +42,14 @@ void Clients::queue(std::size_t slot, base::Bytes bytes) {
   Client& client = clients_[slot];
   if (bytes.empty() || client.is_free()) return;
   if (slot == listened_to_) heard_.insert(heard_.end(), bytes.begin(), bytes.end());
-  const bool joins = !client.waiting.empty() && client.waiting.back().may_grow &&
-                     client.waiting.back().bytes.size() + bytes.size() <= max_message_bytes_;
+  std::deque<WaitingMessage>& queue = client.stage == ClientStage::kTold ? client.held : client.waiting;
+  const bool joins = !queue.empty() && queue.back().may_grow &&
+                     queue.back().bytes.size() + bytes.size() <= max_message_bytes_;
   if (joins) {
-    base::ByteVector& last = client.waiting.back().bytes;
+    base::ByteVector& last = queue.back().bytes;
     last.insert(last.end(), bytes.begin(), bytes.end());
   } else {
-    client.waiting.push_back({base::ByteVector(bytes.begin(), bytes.end()), true});
+    queue.push_back({base::ByteVector(bytes.begin(), bytes.end()), true});
   }
   client.waiting_bytes += bytes.size();
   if (client.waiting_bytes > kMaxWaitingBytes || bytes.size() > max_message_bytes_)
@@ -59,6 +61,19 @@ void Clients::queue_alone(std::size_t slot, base::ByteVector message) {
   if (client.is_free()) return;
   client.waiting_bytes += message.size();
   client.waiting.push_back({std::move(message), false});
+}
+
+void Clients::forget_waiting(std::size_t slot) {
+  Client& client = clients_[slot];
+  client.waiting.clear();
+  client.held.clear();
+  client.waiting_bytes = 0;
+}
+
+void Clients::queue_held(std::size_t slot) {
+  Client& client = clients_[slot];
+  std::move(client.held.begin(), client.held.end(), std::back_inserter(client.waiting));
+  client.held.clear();
 }
 
 void Clients::tell(std::size_t slot, const net::ServerMessage& message) {

@@ -28,10 +28,13 @@ class Clients {
   std::optional<std::size_t> free_slot() const;
   std::size_t connected() const;
 
-  // Reliable. Messages are put together up to `max_message_bytes`; one that is queued alone is not, nor are
-  // later ones put behind it. A client for which too much waits is doomed.
+  // Reliable; what is queued for a client that loads a level is held until queue_held(). Messages are put
+  // together up to `max_message_bytes`; one that is queued alone is not, nor are later ones put behind it. A
+  // client for which too much waits is doomed.
   void queue(std::size_t slot, base::Bytes bytes);
   void queue_alone(std::size_t slot, base::ByteVector message);
+  void queue_held(std::size_t slot);
+  void forget_waiting(std::size_t slot);
   void tell(std::size_t slot, const net::ServerMessage& message);
   void tell_everyone(const net::ServerMessage& message);
   void print(std::size_t slot, std::string_view text);

@@ -60,14 +60,19 @@ void ban(Server& io_server, Arguments arguments) {
   if (arguments.size() < 2) {
     for (const net::AddressPrefix& prefix : io_server.endpoint().bans())
       io_server.print(net::to_text(prefix) + "\n");
+    if (io_server.endpoint().bans().empty()) io_server.print("nobody is banned\n");
     return;
   }
   if (const std::optional<std::size_t> slot = find_player(io_server, arguments)) {
-    const auto address = io_server.endpoint().address_of(io_server.clients()[*slot].connection);
+    auto address = io_server.endpoint().address_of(io_server.clients()[*slot].connection);
     io_server.drop(*slot, "banned by the host");
-    if (address) io_server.endpoint().ban({.base = *address});
+    if (!address) return;
+    address->port = 0;  // the whole host, as `unban ADDRESS` means it
+    io_server.endpoint().ban({.base = *address});
     return;
   }
+  if (arguments[1].starts_with('#'))
+    return io_server.print(fmt::format("there is no player \"{}\"; `status` lists them\n", arguments[1]));
   const base::Result<net::AddressPrefix> prefix = net::parse_prefix(arguments[1]);
   if (!prefix.ok()) return io_server.print(prefix.error().message() + "\n");
   io_server.endpoint().ban(*prefix);

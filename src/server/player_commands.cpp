@@ -191,6 +191,15 @@ void give_command(const Caller& caller) {
   }
 }
 
+// What is behind the first word of it, which may stand in quotes.
+std::string_view behind_first_word(std::string_view text) {
+  const bool is_quoted = text.starts_with('"');
+  const std::size_t end = text.find(is_quoted ? '"' : ' ', 1);
+  text.remove_prefix(std::min(end, text.size() - 1) + 1);
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  return text;
+}
+
 // "rcon PASSWORD COMMAND": the host's console from afar.
 void rcon_command(const Caller& caller) {
   Server& server = caller.server;
@@ -202,9 +211,7 @@ void rcon_command(const Caller& caller) {
         fmt::format("{} ({}) gave a wrong rcon password\n", caller.client().name, caller.client().address));
     return caller.print("wrong rcon password\n");
   }
-  const std::string_view rest = caller.rest();
-  const std::size_t at = rest.find(' ');
-  const std::string line(at == std::string_view::npos ? "" : rest.substr(at + 1));
+  const std::string line(behind_first_word(behind_first_word(caller.line)));
   server.print(fmt::format("rcon from {}: {}\n", caller.client().name, line));
   caller.print(server.run_and_capture(line));
 }

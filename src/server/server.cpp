@@ -79,13 +79,13 @@ void Server::take_up(LoadedGame loaded) {
     Client& client = clients_[slot];
     if (client.is_free()) continue;
     // What was still to be said of the old level would be taken for the new one's.
-    client.waiting.clear();
-    client.waiting_bytes = 0;
+    clients_.forget_waiting(slot);
     client.frags_told = 0;
     client.sent_update = false;
     client.untold = {};
-    clients_.tell(slot, net::StuffText{"reconnect\n"});
-    if (const base::Status told = tell_level(slot); !told.ok()) client.doom = told.error().message();
+    // One that still loads the level before is told when it has.
+    client.loads_old_level = client.stage == ClientStage::kTold;
+    if (!client.loads_old_level) tell_next_level(slot);
   }
 }
 

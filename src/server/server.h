@@ -104,6 +104,7 @@ class Server {
   void take_command(std::size_t slot, std::string_view line);
   // Answers to what clients ask for while they join; each fails where QuakeC does.
   base::Status tell_level(std::size_t slot);
+  void tell_next_level(std::size_t slot);
   base::Status tell_beginning(std::size_t slot);
   base::Status put_in_game(std::size_t slot);
   void begin_play(std::size_t slot);

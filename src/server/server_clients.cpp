@@ -86,10 +86,17 @@ base::Status Server::tell_level(std::size_t slot) {
   return base::Ok{};
 }
 
+// To a client that is in another one.
+void Server::tell_next_level(std::size_t slot) {
+  clients_.tell(slot, net::StuffText{"reconnect\n"});
+  if (const base::Status told = tell_level(slot); !told.ok()) clients_[slot].doom = told.error().message();
+}
+
 base::Status Server::tell_beginning(std::size_t slot) {
   TRY(std::vector<base::ByteVector> parts, beginning_messages(*game_));
   for (base::ByteVector& part : parts) clients_.queue_alone(slot, std::move(part));
   clients_[slot].stage = ClientStage::kLoaded;
+  clients_.queue_held(slot);
   return base::Ok{};
 }
 
@@ -117,8 +124,8 @@ void Server::take_messages(std::size_t slot, base::Bytes bytes, bool is_reliable
   // Moves that were on their way when the level changed are in its protocol, which may have been another.
   if (!is_reliable && clients_[slot].stage != ClientStage::kPlaying) {
     const auto message = reader.next();
-    const bool leaves = message.ok() && *message && std::holds_alternative<net::Disconnect>(**message);
-    return leaves ? drop(slot, "left") : void();
+    if (message.ok() && *message && std::holds_alternative<net::Disconnect>(**message)) drop(slot, "left");
+    return;
   }
   while (true) {
     const auto message = reader.next();
@@ -171,6 +178,10 @@ void Server::take_command(std::size_t slot, std::string_view line) {
   if (name == "prespawn" || name == "spawn") {
     const bool is_turn = stage == (name == "spawn" ? ClientStage::kLoaded : ClientStage::kTold);
     if (!is_turn) return;
+    if (std::exchange(clients_[slot].loads_old_level, false)) {
+      clients_[slot].stage = ClientStage::kLoaded;
+      return tell_next_level(slot);
+    }
     const base::Status status = name == "spawn" ? put_in_game(slot) : tell_beginning(slot);
     if (!status.ok()) fail(status.error());
   } else if (name == "begin") {

@@ -83,5 +83,24 @@ TEST(ServeProgram, WhatIsWrongIsOneLine) {
   EXPECT_TRUE(is_one_error_line(no_address.err)) << no_address.err;
 }
 
+TEST(ServeProgram, TheCommandLineHasTheLastWordOverTheConfiguration) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_GAME();
+  const TemporaryFolder folder;
+  std::filesystem::create_directory_symlink(data / "id1", folder.path() / "id1");
+  folder.write("mod/server.cfg", "hostname \"From file\"\n");
+  const auto name_after = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"--basedir", folder.path().string(), "--game", "mod"});
+    options.insert(options.end(), {"serve", "--map", "start", "--progs", TEMBLOR_GAME_PROGRAM, "--port", "0",
+                                   "--host", "127.0.0.1", "--duration", "0.1"});
+    const ProgramRun run = run_program(folder.path(), options);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    const std::size_t end = run.out.find(": UDP port");
+    return end == std::string::npos ? run.out + run.err : run.out.substr(run.out.rfind('\n', end) + 1, end);
+  };
+  EXPECT_THAT(name_after({}), ::testing::StartsWith("From file"));
+  EXPECT_THAT(name_after({"--set", "hostname=From the line"}), ::testing::StartsWith("From the line"));
+}
+
 }  // namespace
 }  // namespace temblor::test

@@ -72,6 +72,10 @@ class StockClientPlays {
     place_ = place;
     has_place_ = true;
   }
+  void change_level(const char* map) {
+    const base::Status changed = server_->change_level(map);
+    CHECK(changed.ok(), "{}", changed.error().message());
+  }
   bool is_playing() { return server_->clients()[0].stage == server::ClientStage::kPlaying; }
   bool has_left() const {
     return server_->game() != nullptr && console_.find("removed: left") != std::string::npos;
@@ -132,6 +136,10 @@ TEST(QuakeSpasmClient, PlaysInAllThreeProtocolsAndLeaves) {
     EXPECT_GT(game->way(), 100.0f * kPlayed_s) << game->console();
     EXPECT_LT(game->ping_s(), 1) << game->console();
   }
+  for (auto& game : games) game->change_level("lq_e1m2");
+  step_all_until(kSignonLimit_s, [](StockClientPlays& game) { return game.is_playing(); });
+  for (auto& game : games) EXPECT_TRUE(game->is_playing()) << game->console() << game->client_output();
+  step_all_until(2, [](StockClientPlays&) { return false; });
   for (auto& game : games) game->ask_client_to_leave();
   step_all_until(10, [](StockClientPlays& game) { return game.has_left(); });
   for (auto& game : games) EXPECT_TRUE(game->has_left()) << game->console();

@@ -299,21 +299,6 @@ TEST(Server, CheatsNeedPermissionAmongSeveral) {
   EXPECT_TRUE(served.game().player(0).has_flag(server::flag::kGodMode));
 }
 
-TEST(Server, RemoteConsoleNeedsItsPassword) {
-  SKIP_WITHOUT_QUAKEC();
-  ServedGame served;
-  const std::size_t me = served.add_client("host");
-  ASSERT_TRUE(served.run_until_playing(me));
-  served.client(me).send_command("rcon anything status");
-  served.run(1);
-  EXPECT_THAT(served.prints(me), HasSubstr("wrong rcon password"));
-  served.command("rcon_password secret");
-  served.run(0.1);
-  served.client(me).send_command("rcon secret status");
-  served.run(1);
-  EXPECT_THAT(served.prints(me), HasSubstr("map:     small"));
-}
-
 TEST(Server, RecordingsCanBePlayed) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served;
