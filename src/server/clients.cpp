@@ -42,14 +42,14 @@ void Clients::queue(std::size_t slot, base::Bytes bytes) {
   Client& client = clients_[slot];
   if (bytes.empty() || client.is_free()) return;
   if (slot == listened_to_) heard_.insert(heard_.end(), bytes.begin(), bytes.end());
-  std::deque<WaitingMessage>& queue = client.stage == ClientStage::kTold ? client.held : client.waiting;
-  const bool joins = !queue.empty() && queue.back().may_grow &&
-                     queue.back().bytes.size() + bytes.size() <= max_message_bytes_;
+  std::deque<WaitingMessage>& line = client.stage == ClientStage::kTold ? client.held : client.waiting;
+  const bool joins =
+      !line.empty() && line.back().may_grow && line.back().bytes.size() + bytes.size() <= max_message_bytes_;
   if (joins) {
-    base::ByteVector& last = queue.back().bytes;
+    base::ByteVector& last = line.back().bytes;
     last.insert(last.end(), bytes.begin(), bytes.end());
   } else {
-    queue.push_back({base::ByteVector(bytes.begin(), bytes.end()), true});
+    line.push_back({base::ByteVector(bytes.begin(), bytes.end()), true});
   }
   client.waiting_bytes += bytes.size();
   if (client.waiting_bytes > kMaxWaitingBytes || bytes.size() > max_message_bytes_)
@@ -61,6 +61,12 @@ void Clients::queue_alone(std::size_t slot, base::ByteVector message) {
   if (client.is_free()) return;
   client.waiting_bytes += message.size();
   client.waiting.push_back({std::move(message), false});
+}
+
+bool Clients::is_loading(std::size_t slot) const {
+  const Client& client = clients_[slot];
+  // While it does not listen, nothing else waits than the level that it is to load.
+  return client.stage == ClientStage::kTold && client.waiting.empty();
 }
 
 void Clients::forget_waiting(std::size_t slot) {

@@ -33,6 +33,8 @@ class Clients {
   // client for which too much waits is doomed.
   void queue(std::size_t slot, base::Bytes bytes);
   void queue_alone(std::size_t slot, base::ByteVector message);
+  // It was sent what to load, and has not asked for more.
+  bool is_loading(std::size_t slot) const;
   void queue_held(std::size_t slot);
   void forget_waiting(std::size_t slot);
   void tell(std::size_t slot, const net::ServerMessage& message);

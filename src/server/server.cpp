@@ -78,13 +78,13 @@ void Server::take_up(LoadedGame loaded) {
   for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
     Client& client = clients_[slot];
     if (client.is_free()) continue;
+    // One that still loads the level before is told of this one when it has.
+    client.loads_old_level = clients_.is_loading(slot);
     // What was still to be said of the old level would be taken for the new one's.
     clients_.forget_waiting(slot);
     client.frags_told = 0;
     client.sent_update = false;
     client.untold = {};
-    // One that still loads the level before is told when it has.
-    client.loads_old_level = client.stage == ClientStage::kTold;
     if (!client.loads_old_level) tell_next_level(slot);
   }
 }
@@ -207,8 +207,11 @@ base::Status Server::reload() {
     const std::string reason = notes.ok() ? notes->front() : notes.error().message();
     print(fmt::format("the game cannot go on: {}\n", reason));
   }
-  request.entities_to_come = 0;
-  TRY(loaded, load_game(request, setup_.settings, services()));
+  // What was loaded has taken in the old game's entities, or a protocol for so many.
+  if (is_same_level || request.entities_to_come > kMaxEntitiesOfProtocol15) {
+    request.entities_to_come = 0;
+    TRY(loaded, load_game(request, setup_.settings, services()));
+  }
   take_up(std::move(loaded));
   print("reloaded: the level starts anew\n");
   return base::Ok{};

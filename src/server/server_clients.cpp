@@ -86,16 +86,17 @@ base::Status Server::tell_level(std::size_t slot) {
   return base::Ok{};
 }
 
-// To a client that is in another one.
+// To a client that is in another one, or on its way there.
 void Server::tell_next_level(std::size_t slot) {
+  clients_[slot].stage = ClientStage::kLoaded;  // it listens
   clients_.tell(slot, net::StuffText{"reconnect\n"});
   if (const base::Status told = tell_level(slot); !told.ok()) clients_[slot].doom = told.error().message();
 }
 
 base::Status Server::tell_beginning(std::size_t slot) {
+  clients_[slot].stage = ClientStage::kLoaded;
   TRY(std::vector<base::ByteVector> parts, beginning_messages(*game_));
   for (base::ByteVector& part : parts) clients_.queue_alone(slot, std::move(part));
-  clients_[slot].stage = ClientStage::kLoaded;
   clients_.queue_held(slot);
   return base::Ok{};
 }
@@ -178,10 +179,7 @@ void Server::take_command(std::size_t slot, std::string_view line) {
   if (name == "prespawn" || name == "spawn") {
     const bool is_turn = stage == (name == "spawn" ? ClientStage::kLoaded : ClientStage::kTold);
     if (!is_turn) return;
-    if (std::exchange(clients_[slot].loads_old_level, false)) {
-      clients_[slot].stage = ClientStage::kLoaded;
-      return tell_next_level(slot);
-    }
+    if (std::exchange(clients_[slot].loads_old_level, false)) return tell_next_level(slot);
     const base::Status status = name == "spawn" ? put_in_game(slot) : tell_beginning(slot);
     if (!status.ok()) fail(status.error());
   } else if (name == "begin") {

@@ -107,5 +107,31 @@ TEST(Joining, ALevelThatChangesMeanwhileIsToldOfAfterTheFirst) {
   EXPECT_EQ(served.server().clients()[0].stage, server::ClientStage::kPlaying);
 }
 
+// The second change comes before the first could be sent: nobody waits for an answer to it.
+TEST(Joining, LevelsThatFollowAtOnceAreToldOfOnce) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(small_program(), {.conditions = {.delay_s = 0.1}});
+  const std::size_t me = served.add_client("me");
+  ASSERT_TRUE(served.run_until_playing(me));
+  for (const std::string_view line : {"changelevel small; changelevel small", "map small; reload; restart"}) {
+    served.command(line);
+    served.run(5);
+    EXPECT_TRUE(served.client(me).is_playing()) << line << served.console();
+    EXPECT_EQ(served.server().clients()[0].stage, server::ClientStage::kPlaying) << line;
+  }
+}
+
+TEST(Joining, WhoComesWhileTheLevelChangesGetsThere) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  const std::size_t me = served.add_client("me");
+  for (int i = 0; i < 6; ++i) {
+    served.command("changelevel small");
+    served.run(0.03);
+  }
+  served.run(5);
+  EXPECT_TRUE(served.client(me).is_playing()) << served.client(me).lost_because() << served.console();
+}
+
 }  // namespace
 }  // namespace temblor::test
