@@ -8,6 +8,9 @@ find_package(nlohmann_json REQUIRED)
 # Debian's libzip-config.cmake wants the command-line tools' package as well; pkg-config does not.
 pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
+pkg_check_modules(sdl2 REQUIRED IMPORTED_TARGET sdl2)
+pkg_check_modules(sndfile REQUIRED IMPORTED_TARGET sndfile)
+pkg_check_modules(samplerate REQUIRED IMPORTED_TARGET samplerate)
 
 set(TEMBLOR_TBB_TARGET "")
 if(TEMBLOR_ONETBB)
