@@ -48,6 +48,8 @@ class Presentation {
   // which something happens.
   base::Status pass(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
                     const PresentationSettings& settings);
+  // The game's 2-D pictures; for menus and the console.
+  const assets::Pictures& pictures() const { return pictures_; }
   // Whether there is a level to draw.
   bool has_level() const { return models_.has_value(); }
 
@@ -72,6 +74,7 @@ class Presentation {
   void apply_environment(const Game& game, double time_s, const PresentationSettings& settings);
 
   const assets::Library& library_;
+  std::vector<std::string> notes_;  // the pictures' too: made before them
   assets::Pictures pictures_;
   std::optional<ModelTable> models_;
   ClientSettings client_settings_;
@@ -88,7 +91,6 @@ class Presentation {
   std::uint32_t frame_number_ = 0;
   render::DrawList draw_list_;
   double time_s_ = 0;
-  std::vector<std::string> notes_;
 };
 
 }  // namespace temblor::client
