@@ -33,6 +33,8 @@ struct PresentationSettings {
   // Of liquids whose level says nothing of its own.
   render::LiquidAlpha liquid_alpha;
   bool fog = true, skybox = true;
+  // Where to look from instead of the player's eyes.
+  std::optional<render::Camera> camera;
 };
 
 class Presentation {
@@ -50,6 +52,11 @@ class Presentation {
                     const PresentationSettings& settings);
   // The game's 2-D pictures; for menus and the console.
   const assets::Pictures& pictures() const { return pictures_; }
+  // The state has been put to another moment of its recording, `before` which that much had happened: all
+  // that was under way ends, and time goes on from there. Loads the level if it is another one; what happens
+  // in this moment is still to be acted on.
+  base::Status resume(ClientState& io_state, const EffectCounts& before,
+                      const PresentationSettings& settings);
   // Whether there is a level to draw.
   bool has_level() const { return models_.has_value(); }
 
@@ -63,6 +70,7 @@ class Presentation {
 
  private:
   base::Status begin_level(const Game& game, const PresentationSettings& settings);
+  void forget_past();
   struct Sight {
     std::span<const SeenEntity> entities;
     PlayerView view;
@@ -77,6 +85,7 @@ class Presentation {
   std::vector<std::string> notes_;  // the pictures' too: made before them
   assets::Pictures pictures_;
   std::optional<ModelTable> models_;
+  std::vector<std::string> model_names_;  // of those, as the server named them
   ClientSettings client_settings_;
   Effects effects_;
   View view_;
