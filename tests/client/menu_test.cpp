@@ -350,7 +350,8 @@ TEST(Menu, Hosts) {
   ASSERT_TRUE(hand.go_to("Players"));
   hand.press(Key::kRightArrow);
   ASSERT_TRUE(hand.choose("Port"));
-  hand.type("26x001");
+  for (int i = 0; i < 3; ++i) hand.press(Key::kBackspace);
+  hand.type("0x01");
   hand.press(Key::kEnter);
   ASSERT_TRUE(hand.choose("Begin"));
   EXPECT_THAT(hand.commands(),

@@ -10,6 +10,8 @@ constexpr double kFilled = 0.75;  // of the frame, by the original's screen
 // What is wider or higher is hard to overlook, and a menu's title would be far from its rows.
 constexpr int kWidest = 424, kHighest = 300;
 constexpr int kNarrowest = 5 * kCharacterSide, kLowest = kCharacterSide + 2;
+// Characters of 8 pixels are small on today's displays: for twice as large ones, pages are laid out in less.
+constexpr int kNarrowAtTwo = 288, kLowAtTwo = 180;
 constexpr int kDimMargin = 8;
 constexpr std::uint8_t kBlack = 0;
 
@@ -19,7 +21,9 @@ int choose_menu_scale(int frame_width, int frame_height, double text_size) {
   const double fitting = std::min(static_cast<double>(frame_width) / kScreenWidth,
                                   static_cast<double>(frame_height) / kScreenHeight);
   const double wished = std::clamp(fitting * kFilled * text_size, 1.0, std::max(fitting, 1.0));
-  return std::max(1, std::min(static_cast<int>(std::lround(wished)), static_cast<int>(fitting)));
+  const int scale = std::max(1, std::min(static_cast<int>(std::lround(wished)), static_cast<int>(fitting)));
+  const bool has_room_for_two = frame_width >= 2 * kNarrowAtTwo && frame_height >= 2 * kLowAtTwo;
+  return scale == 1 && text_size >= 1 && has_room_for_two ? 2 : scale;
 }
 
 std::optional<Canvas> Canvas::fit(const assets::Pictures& pictures, int frame_width, int frame_height,

@@ -20,8 +20,8 @@ struct Box {
   }
 };
 
-// Frame pixels for each of the original's: characters about a 33rd of the frame's height, times `text_size`,
-// but never so large that the original's screen would not fit, where it can.
+// Frame pixels for each of the original's: three quarters of what would fill the frame with its screen, times
+// `text_size`, but never so many that it would not fit. Only at 2 it may stand out a little.
 int choose_menu_scale(int frame_width, int frame_height, double text_size);
 
 class Canvas {

@@ -212,7 +212,7 @@ Page make_join_page(const PageContext& context) {
         },
         "Asks the local network who is there."));
   page.rows.push_back(
-      std::make_unique<HeadingRow>("Local network", server_columns("level", "players", "ping")));
+      std::make_unique<HeadingRow>("Local network", server_columns("level", "users", "ping")));
   const std::vector<MenuServer> servers = asked(context.content.servers);
   for (const MenuServer& server : servers)
     if (!server.address.empty()) page.rows.push_back(make_server_row(context, server));

@@ -162,7 +162,10 @@ Page make_sound_page(const PageContext& context) {
 }
 
 Page make_controls_page(const PageContext& context) {
-  return make_table_page(context, "Controls", control_options());
+  Page page = make_table_page(context, "Controls", control_options());
+  page.rows.insert(page.rows.begin(),
+                   make_opener(context, "Keys and buttons", MenuPage::kKeys, "Which of them does what."));
+  return page;
 }
 
 Page make_accessibility_page(const PageContext& context) {

@@ -170,7 +170,10 @@ void SliderRow::draw(const Canvas& canvas, const RowPlace& place) const {
 std::string SliderRow::number() const {
   const double value = variable_.get().number;
   if (value == 0 && !look_.zero.empty()) return std::string(look_.zero);
-  return fmt::format("{:.4g}{}", value * look_.shown_factor, look_.unit);
+  constexpr double kWithoutFraction = 1000;
+  const double shown_value = value * look_.shown_factor;
+  return std::abs(shown_value) < kWithoutFraction ? fmt::format("{:.4g}{}", shown_value, look_.unit)
+                                                  : fmt::format("{:.0f}{}", shown_value, look_.unit);
 }
 
 void SliderRow::go_to_step(double number) {

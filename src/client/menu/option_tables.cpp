@@ -41,7 +41,7 @@ std::span<const OptionLook> screen_options() {
       {.variable = "r_wateralpha", .label = "Water opacity", .shown_factor = 100, .unit = "%"},
       {.variable = "r_slimealpha", .label = "Slime opacity", .shown_factor = 100, .unit = "%"},
       {.variable = "r_lavaalpha", .label = "Lava opacity", .shown_factor = 100, .unit = "%"},
-      {.variable = "r_telealpha", .label = "Teleporter opacity", .shown_factor = 100, .unit = "%"},
+      {.variable = "r_telealpha", .label = "Teleport opacity", .shown_factor = 100, .unit = "%"},
       {.variable = "r_coloured_light", .label = "Coloured light"},
       {.variable = "r_mip_rule", .label = "Texture detail"},
       {.variable = "r_perspective", .label = "Perspective"},
@@ -120,7 +120,7 @@ std::span<const OptionLook> accessibility_options() {
       {.variable = "v_bob", .label = "View bob", .high = 2, .step = 0.1, .shown_factor = 100, .unit = "%"},
       {.variable = "v_roll", .label = "View roll", .high = 2, .step = 0.1, .shown_factor = 100, .unit = "%"},
       {.variable = "con_highcontrast", .label = "High contrast"},
-      {.variable = "scr_subtitles", .label = "Subtitles of sounds"},
+      {.variable = "scr_subtitles", .label = "Sound subtitles"},
       {.variable = "scr_safecolours", .label = "Safe colours"},
   };
   return kLooks;

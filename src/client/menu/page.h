@@ -40,7 +40,7 @@ struct MenuChoices {
     std::string level;
     int players = 8;
     int mode = 0;  // 0 deathmatch, 1 coop
-    std::string port;
+    std::string port = "26000";
   } host;
   struct Video {
     bool is_known = false;  // taken from the variables

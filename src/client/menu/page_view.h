@@ -46,7 +46,8 @@ class PageView {
   void let_go();
 
  private:
-  struct Spot {  // where a row was drawn
+  static constexpr std::size_t kUnknownRoom = std::size_t{1} << 30;  // before it is drawn: for all
+  struct Spot {                                                      // where a row was drawn
     std::size_t position = 0;
     Box row, value, slide;  // of the frame; slide: empty where nothing slides
   };
@@ -88,7 +89,8 @@ class PageView {
   std::vector<std::size_t> shown_;       // rows that fit the search
   std::optional<std::size_t> selected_;  // position in shown_
   std::size_t first_ = 0;                // the position, or line of text, at the top
-  std::size_t lines_ = 0, room_ = 1;     // how many there are, and how many are visible
+  std::size_t lines_ = 0;                // how many there are
+  std::size_t room_ = kUnknownRoom;      // how many are visible
   std::vector<Spot> spots_;
   Box scroll_bar_;  // of the frame
   Row* sliding_ = nullptr;
