@@ -58,6 +58,7 @@ struct MenuContent {
   std::function<int()> displays;
   std::function<std::vector<platform::PixelSize>(int display)> display_sizes;
 
+  std::function<bool()> game_runs;  // one's own or a server's
   std::function<bool()> can_save;
   // What ending the game that runs would lose, a sentence for the player. Empty: nothing.
   std::function<std::string()> unsaved;

@@ -122,6 +122,7 @@ client::MenuContent MenuByHand::some_content() {
     return display == 0 ? std::vector<platform::PixelSize>{{1920, 1080}, {1280, 720}}
                         : std::vector<platform::PixelSize>{{2560, 1440}, {800, 600}};
   };
+  content.game_runs = [] { return true; };
   content.can_save = [] { return true; };
   content.keys_of = [](std::string_view commands) {
     return commands == "+forward" ? std::vector<Key>{Key{'w'}, Key::kUpArrow} : std::vector<Key>{};

@@ -181,6 +181,20 @@ TEST(Menu, QuitsAtOnceWhereNothingWouldBeLost) {
   EXPECT_THAT(hand.commands(), ElementsAre("quit"));
 }
 
+TEST(Menu, LeavesTheGameThatRuns) {
+  MenuContent content = MenuByHand::some_content();
+  bool runs = true;
+  content.game_runs = [&] { return runs; };
+  content.unsaved = [&] { return runs ? std::string("It would end.") : std::string(); };
+  MenuByHand hand(content, kSmallest);
+  hand.menu().open();
+  ASSERT_TRUE(hand.choose("Leave game") && hand.choose("Yes"));
+  EXPECT_THAT(hand.commands(), ElementsAre("disconnect"));
+  runs = false;
+  hand.menu().open();
+  EXPECT_FALSE(hand.go_to("Leave game"));
+}
+
 TEST(Menu, AsksBeforeSomethingIsLost) {
   MenuContent content = MenuByHand::some_content();
   content.unsaved = [] { return std::string("Ten minutes of play are not saved."); };

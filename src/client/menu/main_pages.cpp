@@ -108,16 +108,21 @@ Page make_main_page(const PageContext& context) {
   page.title = "Temblor";
   page.title_picture = "gfx/ttl_main.lmp";
   page.style = PageStyle::kLarge;
-  for (const auto& [label, opened] :
-       std::initializer_list<std::pair<const char*, MenuPage>>{{"Single player", MenuPage::kSinglePlayer},
-                                                               {"Multiplayer", MenuPage::kMultiplayer},
-                                                               {"Options", MenuPage::kOptions},
-                                                               {"Levels", MenuPage::kLevels},
-                                                               {"Game folders", MenuPage::kGameFolders},
-                                                               {"Demos", MenuPage::kDemos},
-                                                               {"Help", MenuPage::kHelp},
-                                                               {"Quit", MenuPage::kQuit}})
+  const auto add_opener = [&](const char* label, MenuPage opened) {
     page.rows.push_back(make_opener(context, label, opened));
+  };
+  add_opener("Single player", MenuPage::kSinglePlayer);
+  add_opener("Multiplayer", MenuPage::kMultiplayer);
+  add_opener("Options", MenuPage::kOptions);
+  add_opener("Levels", MenuPage::kLevels);
+  add_opener("Game folders", MenuPage::kGameFolders);
+  add_opener("Demos", MenuPage::kDemos);
+  add_opener("Help", MenuPage::kHelp);
+  if (asked(context.content.game_runs))
+    page.rows.push_back(std::make_unique<ActionRow>("Leave game", [context] {
+      return unless_lost(context, "Leave all the same?", {.commands = {"disconnect"}, .refresh = true});
+    }));
+  add_opener("Quit", MenuPage::kQuit);
   return page;
 }
 

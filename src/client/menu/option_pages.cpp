@@ -131,14 +131,15 @@ Page make_options_page(const PageContext& context) {
   page.title = "Options";
   page.title_picture = "gfx/p_option.lmp";
   page.style = PageStyle::kLarge;
-  for (const auto& [label, opened] :
-       std::initializer_list<std::pair<const char*, MenuPage>>{{"Video", MenuPage::kVideo},
-                                                               {"Screen", MenuPage::kScreen},
-                                                               {"Sound", MenuPage::kSound},
-                                                               {"Controls", MenuPage::kControls},
-                                                               {"Keys", MenuPage::kKeys},
-                                                               {"Accessibility", MenuPage::kAccessibility}})
+  const auto add_opener = [&](const char* label, MenuPage opened) {
     page.rows.push_back(make_opener(context, label, opened));
+  };
+  add_opener("Video", MenuPage::kVideo);
+  add_opener("Screen", MenuPage::kScreen);
+  add_opener("Sound", MenuPage::kSound);
+  add_opener("Controls", MenuPage::kControls);
+  add_opener("Keys", MenuPage::kKeys);
+  add_opener("Accessibility", MenuPage::kAccessibility);
   page.rows.push_back(std::make_unique<ActionRow>(
       "Console", [] { return Outcome{.commands = {"toggleconsole"}, .leaving = Leaving::kClose}; }));
   return page;

@@ -87,6 +87,7 @@ bool TextRow::take(const platform::InputEvent& event, Outcome& out_outcome) {
     edit_->insert(typed->text);
     return true;
   }
+  if (std::holds_alternative<platform::FocusChanged>(event.what)) ctrl_ = false;
   const auto* const change = std::get_if<platform::KeyChange>(&event.what);
   return change != nullptr && take_key(*change, out_outcome);
 }
