@@ -50,6 +50,8 @@ class Presentation {
   // which something happens.
   base::Status pass(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
                     const PresentationSettings& settings);
+  // The game's 2-D pictures; for menus and the console.
+  const assets::Pictures& pictures() const { return pictures_; }
   // The state has been put to another moment of its recording, `before` which that much had happened: all
   // that was under way ends, and time goes on from there. Loads the level if it is another one; what happens
   // in this moment is still to be acted on.
@@ -80,6 +82,7 @@ class Presentation {
   void apply_environment(const Game& game, double time_s, const PresentationSettings& settings);
 
   const assets::Library& library_;
+  std::vector<std::string> notes_;  // the pictures' too: made before them
   assets::Pictures pictures_;
   std::optional<ModelTable> models_;
   std::vector<std::string> model_names_;  // of those, as the server named them
@@ -97,7 +100,6 @@ class Presentation {
   std::uint32_t frame_number_ = 0;
   render::DrawList draw_list_;
   double time_s_ = 0;
-  std::vector<std::string> notes_;
 };
 
 }  // namespace temblor::client

@@ -131,6 +131,22 @@ TEST(Pictures, ThatAreMissingAreCheckersOfTheirSize) {
   EXPECT_EQ(loaded.pictures.characters().pixels.size(), 128u * 128u);
 }
 
+TEST(Pictures, ThatStandInAreNotReal) {
+  const StockFolder stock;
+  stock.write_wad(stock.wad());
+  const Loaded whole = load(stock.folder().path());
+  EXPECT_EQ(whole.pictures.find_real("GFX/Pause.lmp"), whole.pictures.find("gfx/pause.lmp"));
+  EXPECT_EQ(whole.pictures.find_real("gfx/nowhere.lmp"), nullptr);
+  std::filesystem::remove(stock.folder().path() / "id1/gfx/pause.lmp");
+  stock.folder().write("id1/gfx/inter.lmp", "damaged");
+  const Loaded loaded = load(stock.folder().path());
+  for (const char* name : {"gfx/pause.lmp", "GFX/INTER.lmp"}) {
+    EXPECT_NE(loaded.pictures.find(name), nullptr) << name;
+    EXPECT_EQ(loaded.pictures.find_real(name), nullptr) << name;
+  }
+  EXPECT_NE(loaded.pictures.find_real("sbar"), nullptr);
+}
+
 TEST(Pictures, ThatAreDamagedAreCheckersAndNamed) {
   const StockFolder stock;
   std::vector<formats::WadLump> lumps = stock.lumps();
