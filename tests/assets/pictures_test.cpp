@@ -126,6 +126,7 @@ TEST(Pictures, ThatAreMissingAreCheckersOfTheirSize) {
       EXPECT_EQ(picture->width, stock.width) << stock.name;
       EXPECT_EQ(picture->height, stock.height) << stock.name;
       EXPECT_TRUE(is_checker(*picture)) << stock.name;
+      EXPECT_EQ(loaded.pictures.find_real(stock.name), nullptr) << stock.name;
     }
   EXPECT_EQ(loaded.pictures.characters().pixels.size(), 128u * 128u);
 }
@@ -159,6 +160,8 @@ TEST(Pictures, ThatAreDamagedAreCheckersAndNamed) {
   EXPECT_TRUE(is_checker(*loaded.pictures.find("disc")));
   EXPECT_TRUE(is_checker(*loaded.pictures.find("gfx/pause.lmp")));
   EXPECT_FALSE(is_checker(*loaded.pictures.find("sbar")));
+  EXPECT_EQ(loaded.pictures.find_real("DISC"), nullptr);
+  EXPECT_EQ(loaded.pictures.find_real("SBar"), loaded.pictures.find("sbar"));
 }
 
 TEST(Pictures, OfADamagedArchiveAreAllThere) {
