@@ -244,6 +244,7 @@ bool Menu::State::take(const platform::InputEvent& event) {
     return true;
   }
   if (std::holds_alternative<platform::FocusChanged>(event.what)) top().let_go();
+  if (std::holds_alternative<platform::WindowChanged>(event.what)) refresh_waits = true;
   if (change == nullptr || !take_mouse(*change))
     if (const std::optional<MenuStep> taken = steps.take(event)) step(*taken);
   return is_pressed || std::holds_alternative<platform::MouseMoved>(event.what) ||

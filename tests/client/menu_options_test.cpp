@@ -151,6 +151,22 @@ TEST_F(MenuOptions, DisplayIsChangedWhenApplied) {
   EXPECT_THAT(hand_.selected(), HasSubstr("1920 x 1080")) << "not applied, forgotten";
 }
 
+TEST_F(MenuOptions, DisplayRowsFollowAWindowThatIsResized) {
+  expect_at(MenuPage::kVideo, "Size");
+  const auto resize = [&] {
+    ASSERT_TRUE(hand_.variables().set("vid_width", "1000").ok());
+    ASSERT_TRUE(hand_.variables().set("vid_height", "700").ok());
+    hand_.menu().handle({0, platform::WindowChanged{}});
+  };
+  resize();
+  EXPECT_THAT(hand_.selected(), HasSubstr("1000 x 700"));
+  ASSERT_TRUE(hand_.variables().set("vid_width", "1280").ok());
+  hand_.press(Key::kRightArrow);
+  const std::string chosen = hand_.selected();
+  resize();
+  EXPECT_EQ(hand_.selected(), chosen) << "what was chosen stays so";
+}
+
 TEST_F(MenuOptions, GoBackToDefaults) {
   expect_at(MenuPage::kSound, "Back to defaults");
   hand_.press(Key::kEnter);
