@@ -16,8 +16,8 @@ namespace temblor::client {
 
 // Times are the recording's (see DemoPlayer), from begin_s() to end_s(). What is to be seen at a time does
 // not depend on how it was come to: after seeking, what happened in the seconds before is lived through
-// unseen, and all of the level with marks on walls, which stay. Only the chance in trails, which is the
-// entity's from the beginning of the level on, may be another.
+// unseen, and all of the level with marks on walls, which stay. Only the trail of what has flown for longer
+// than these seconds may be dotted elsewhere.
 //
 // Where the recording is damaged it ends; that is told once, as an error of advance() or seek(), when its end
 // is come to. What there is to see stays.

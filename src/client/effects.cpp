@@ -197,6 +197,7 @@ void Effects::State::go_on(const Moment& moment) {
     const std::uint32_t flags =
         entity.model < moment.model_flags.size() ? moment.model_flags[entity.model] : 0;
     const std::optional<TrailKind> trail = trail_kind(flags);
+    if (trail && entity.has_come) trails.begin(entity.number, entity.origin_world);
     if (trail) leave_trail(entity, *trail, moment.time_s);
     if (entity.effects & kEffectBrightField) show_bright_field(particles, moment.time_s, entity.origin_world);
     shine(entity, trail == TrailKind::kRocket, moment.time_s);
