@@ -474,6 +474,7 @@ TEST(Menu, TakesWhatIsForItAndLeavesTheRest) {
   EXPECT_TRUE(taken(platform::PointerMoved{0.5f, 0.5f}));
   EXPECT_TRUE(taken(platform::MouseMoved{5, 5}));
   EXPECT_TRUE(taken(platform::PadAxisMoved{platform::PadAxis::kRightX, 1}));
+  EXPECT_FALSE(taken(platform::PadAxisMoved{platform::PadAxis::kRightX, 0}));
   EXPECT_FALSE(taken(platform::FocusChanged{false}));
   EXPECT_FALSE(taken(platform::WindowChanged{}));
   EXPECT_FALSE(taken(platform::CloseRequested{}));
