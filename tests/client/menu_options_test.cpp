@@ -53,6 +53,9 @@ TEST_F(MenuOptions, SwitchSlideAndChoose) {
   ASSERT_TRUE(hand_.variables().set("fov", "92.5").ok());
   hand_.press(Key::kLeftArrow);
   EXPECT_EQ(value("fov"), "90") << "onto the next step";
+  ASSERT_TRUE(hand_.variables().set("fov", "92.5").ok());
+  hand_.press(Key::kRightArrow);
+  EXPECT_EQ(value("fov"), "95") << "alike";
   ASSERT_TRUE(hand_.variables().set("fov", "170").ok());
   EXPECT_THAT(hand_.selected(), HasSubstr("170")) << "what lies outside is told as it is";
 

@@ -355,6 +355,16 @@ TEST(Menu, EscapeLeavesATextAsItWas) {
   EXPECT_EQ(hand.variables().find("name")->text, "players") << "typing alone begins to edit";
 }
 
+TEST(Menu, TextsHoldWhatCanBeShown) {
+  MenuByHand hand;
+  hand.menu().open(MenuPage::kPlayer);
+  ASSERT_TRUE(hand.choose("Name"));
+  for (const std::string& typed : {std::string("\n"), std::string("\xc3\xa9\x01"), std::string(10000, 'x')})
+    hand.menu().handle({0, platform::TextTyped{typed}});
+  hand.press(Key::kEnter);
+  EXPECT_EQ(hand.variables().find("name")->text, "player" + std::string(194, 'x'));
+}
+
 TEST(Menu, Hosts) {
   MenuByHand hand;
   hand.menu().open(MenuPage::kHost);
