@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "command/text.h"
 #include "host/host_commands.h"
 
 namespace temblor::host {
@@ -160,11 +161,23 @@ void Host::follow_variables() {
       print(applied.error().message());
     window_settings_ = wanted;
   }
+  tell_player();
   services_.window.capture_mouse(has_focus_ && is_in_game() && (session_->is_playing() || flies_));
   const bool takes_text = console_ui_.takes_text() || menu_->wants_text();
   if (takes_text != takes_text_) services_.window.take_text(takes_text);
   takes_text_ = takes_text;
   if (search_.update(now_s_)) menu_->refresh();
+}
+
+// Who changes his name or colours does so in the game that runs.
+void Host::tell_player() {
+  client::PlayerSettings player = variables_.player();
+  if (client::Connection* const connection = session_->connection(); connection != nullptr) {
+    if (player.name != player_.name) connection->send_command(command::join_words({"name", player.name}));
+    if (player.shirt != player_.shirt || player.pants != player_.pants)
+      connection->send_command(fmt::format("color {} {}", player.shirt, player.pants));
+  }
+  player_ = std::move(player);
 }
 
 void Host::read_server() {

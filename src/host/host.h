@@ -86,7 +86,6 @@ class Host {
   base::Status stop_recording();
   base::Status save_configuration();
   base::Status dump_console(std::string_view file);
-  void restart_window();
   Session& session() { return *session_; }
   const client::PlayerInput& input() const { return input_; }
   const GameData& data() const { return *data_; }
@@ -125,6 +124,7 @@ class Host {
   bool take_demo_key(platform::Key key);
   void take_size(const platform::WindowChanged& changed);
   void follow_variables();
+  void tell_player();
   void read_server();
   void look_and_move();
   void fly(const client::InputSettings& settings);
@@ -164,6 +164,7 @@ class Host {
   double event_time_s_ = 0;  // of what is being taken
   std::optional<double> oldest_event_s_;
   platform::WindowSettings window_settings_;
+  client::PlayerSettings player_;  // as the server knows him
   render::DrawList overlay_;
   client::PresentationSettings presentation_settings_;  // of this frame
   float zoom_ = 0;                                      // 0: not at all, 1: all the way

@@ -84,21 +84,8 @@ void add_server_commands(Host& io_host) {
 void color_command(Host& io_host, Arguments arguments) {
   if (arguments.size() < 2) return io_host.print("color SHIRT [TROUSERS]: 0 to 13");
   command::Variables& variables = io_host.variables().variables();
-  const int shirt = std::atoi(arguments[1].c_str()),
-            pants = std::atoi(arguments[arguments.size() > 2 ? 2 : 1].c_str());
-  if (shirt < 0 || shirt > 13 || pants < 0 || pants > 13)
-    return io_host.print("color SHIRT [TROUSERS]: 0 to 13");
-  print_error(io_host, variables.set("_cl_color", std::to_string(16 * shirt + pants)));
-  if (client::Connection* const connection = io_host.session().connection())
-    connection->send_command(fmt::format("color {} {}", shirt, pants));
-}
-
-void name_command(Host& io_host, Arguments arguments) {
-  if (arguments.size() < 2) return io_host.print("name NAME: what other players see");
-  const std::string name = line_of(arguments.subspan(1));
-  print_error(io_host, io_host.variables().variables().set("_cl_name", name));
-  if (client::Connection* const connection = io_host.session().connection())
-    connection->send_command(command::join_words({"name", name}));
+  print_error(io_host, variables.set("topcolor", arguments[1]));
+  print_error(io_host, variables.set("bottomcolor", arguments[arguments.size() > 2 ? 2 : 1]));
 }
 
 void list_levels(Host& io_host) {
@@ -190,7 +177,6 @@ void add_screen_commands(Host& io_host) {
     host.bindings().unbind_all();
     host.bindings().add_defaults();
   });
-  add("vid_restart", "Makes the window anew.", [](Host& host, Arguments) { host.restart_window(); });
 }
 
 void add_game_commands(Host& io_host) {
@@ -210,7 +196,6 @@ void add_game_commands(Host& io_host) {
   add("disconnect", "Leaves the game.", [](Host& host, Arguments) { host.disconnect(); });
   add("quit", "Ends the program.", [](Host& host, Arguments) { host.quit(); });
   add("maps", "Lists the levels that there are.", [](Host& host, Arguments) { list_levels(host); });
-  add("name", "name NAME is what other players see.", name_command);
   add("color", "color SHIRT [TROUSERS] of the player, 0 to 13.", color_command);
   add("sizeup", "Shows less of the status bar.", [](Host& host, Arguments) { change_view_size(host, 10); });
   add("sizedown", "Shows more of the status bar.",

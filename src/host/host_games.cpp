@@ -171,12 +171,6 @@ base::Status Host::dump_console(std::string_view file) {
   return base::Ok{};
 }
 
-void Host::restart_window() {
-  window_settings_ = variables_.window();
-  if (const base::Status applied = services_.window.apply(window_settings_); !applied.ok())
-    print(applied.error().message());
-}
-
 base::Status Host::screenshot(std::string_view file) {
   std::filesystem::path path = file;
   std::error_code ignored;

@@ -10,7 +10,8 @@
 namespace temblor::host {
 namespace {
 
-// In the order of render::PixelFormat's use here; the first is the default.
+// In the order of platform::WindowMode, and of true colour before the palette; the first is the default.
+constexpr std::array<std::string_view, 3> kModes = {"window", "borderless", "fullscreen"};
 constexpr std::array<std::string_view, 2> kColours = {"rgb", "indexed"};
 
 std::vector<std::string> names_of(const command::Variables& variables) {
@@ -26,18 +27,17 @@ HostVariables::HostVariables(command::Variables& variables)
   const platform::WindowSettings window;
   width_ = variables.add_int("vid_width", window.size.width, 1, 16384, "Width of the window, pixels.");
   height_ = variables.add_int("vid_height", window.size.height, 1, 16384, "Height of the window, pixels.");
-  full_screen_ = variables.add_bool("vid_fullscreen", false, "Fills the display instead of a window.");
-  borderless_ = variables.add_bool(
-      "vid_borderless", false, "Full screen at the desktop's own size, without changing the display's mode.");
+  mode_ = variables.add_choice("vid_mode", kModes,
+                               "A window, all of the desktop, or a mode of the display's own.");
   display_ = variables.add_int("vid_display", 0, 0, 63, "Which display, counted from 0.");
   vsync_ = variables.add_bool("vid_vsync", window.vsync, "Waits for the display, where that is offered.");
   colour_ = variables.add_choice("vid_color", kColours,
                                  "True colour, or the 256 colours of the original's palette.");
-  scale_ = variables.add_float("r_scale", 1, AutomaticScale::kSmallest, 1,
+  scale_ = variables.add_float("vid_render_scale", 1, AutomaticScale::kSmallest, 1,
                                "Part of the window's width and height that is drawn, and scaled up.");
-  automatic_scale_ =
-      variables.add_bool("r_scale_auto", false, "Draws less where r_scale_fps would not be held.");
-  target_fps_ = variables.add_float("r_scale_fps", 60, 10, 1000,
+  automatic_scale_ = variables.add_bool("vid_render_scale_auto", false,
+                                        "Draws less where vid_target_fps would not be held.");
+  target_fps_ = variables.add_float("vid_target_fps", 60, 10, 1000,
                                     "Frames a second that the automatic render scale is to hold.");
   max_fps_ = variables.add_float("host_maxfps", 0, 0, 10000,
                                  "Frames a second at most; 0: as many as the display shows.");
@@ -47,9 +47,9 @@ HostVariables::HostVariables(command::Variables& variables)
   fov_ = variables.add_float("fov", 90, 10, 170, "Field of view, degrees across a picture of 4:3.");
   zoom_fov_ = variables.add_float("zoom_fov", 30, 10, 170, "Field of view while +zoom is held.");
   zoom_speed_ = variables.add_float("zoom_speed", 8, 0.1, 1000, "How fast the view narrows.");
-  name_ = variables.add_text("_cl_name", "player", "What other players see; `name` sets it.");
-  colours_ = variables.add_int("_cl_color", 0, 0, 255,
-                               "Colours of the clothes, 16 * shirt + trousers; `color` sets them.");
+  name_ = variables.add_text("name", "player", "What other players see.");
+  shirt_ = variables.add_int("topcolor", 0, 0, 13, "Colour of the shirt.");
+  pants_ = variables.add_int("bottomcolor", 0, 0, 13, "Colour of the trousers.");
   rumble_ =
       variables.add_float("joy_rumble", 1, 0, 1, "How strongly the gamepad shakes when the player is hurt.");
   const client::ConsoleSettings console;
@@ -83,12 +83,6 @@ HostVariables::HostVariables(command::Variables& variables)
       kept_.push_back(std::move(name));
 }
 
-platform::WindowMode HostVariables::mode() const {
-  if (!variables_->bool_value(full_screen_)) return platform::WindowMode::kWindowed;
-  return variables_->bool_value(borderless_) ? platform::WindowMode::kBorderless
-                                             : platform::WindowMode::kFullScreen;
-}
-
 client::ConsoleSettings HostVariables::console() const {
   return {.slide_speed = variables_->float_value(console_speed_),
           .notify_time_s = variables_->float_value(notify_time_),
@@ -102,7 +96,7 @@ client::ConsoleSettings HostVariables::console() const {
 platform::WindowSettings HostVariables::window() const {
   return {.size = {static_cast<int>(variables_->int_value(width_)),
                    static_cast<int>(variables_->int_value(height_))},
-          .mode = mode(),
+          .mode = static_cast<platform::WindowMode>(variables_->choice_value(mode_)),
           .display = static_cast<int>(variables_->int_value(display_)),
           .vsync = variables_->bool_value(vsync_)};
 }
@@ -127,10 +121,9 @@ ZoomSettings HostVariables::zoom() const {
 }
 
 client::PlayerSettings HostVariables::player() const {
-  const std::int64_t colours = variables_->int_value(colours_);
   return {.name = variables_->text_value(name_),
-          .shirt = static_cast<std::uint8_t>(colours / 16),
-          .pants = static_cast<std::uint8_t>(colours % 16)};
+          .shirt = static_cast<std::uint8_t>(variables_->int_value(shirt_)),
+          .pants = static_cast<std::uint8_t>(variables_->int_value(pants_))};
 }
 
 double HostVariables::frames_per_second() const {

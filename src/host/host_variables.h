@@ -47,16 +47,14 @@ class HostVariables {
   std::string to_text() const;
 
  private:
-  platform::WindowMode mode() const;
-
   command::Variables* variables_;
   RenderSettings render_;
   client::ClientVariables client_;
   client::InputVariables input_;
   server::ServerVariables server_;
-  command::VariableIndex width_, height_, full_screen_, borderless_, display_, vsync_, colour_, scale_,
-      automatic_scale_, target_fps_, max_fps_, gamma_, contrast_, brightness_, fov_, zoom_fov_, zoom_speed_,
-      name_, colours_, rumble_, parallel_, show_speed_, show_latency_, max_players_, port_, console_speed_,
+  command::VariableIndex width_, height_, mode_, display_, vsync_, colour_, scale_, automatic_scale_,
+      target_fps_, max_fps_, gamma_, contrast_, brightness_, fov_, zoom_fov_, zoom_speed_, name_, shirt_,
+      pants_, rumble_, parallel_, show_speed_, show_latency_, max_players_, port_, console_speed_,
       notify_time_, notify_rows_, console_scale_, console_opacity_, high_contrast_, text_size_;
   std::vector<std::string> kept_;  // names of the player's own
 };
