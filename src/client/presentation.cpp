@@ -1,11 +1,13 @@
 #include "client/presentation.h"
 
 #include <algorithm>
+#include <iterator>
+#include <thread>
 
 namespace temblor::client {
 
 Presentation::Presentation(const assets::Library& library)
-    : library_(library), pictures_(library.pictures(notes_)), hud_(pictures_) {}
+    : library_(library), pictures_(library.pictures(notes_)), hud_(pictures_), audio_scene_(library) {}
 
 base::Status Presentation::begin_level(const Game& game, const PresentationSettings& settings) {
   scene_ = {};
@@ -22,7 +24,16 @@ base::Status Presentation::begin_level(const Game& game, const PresentationSetti
   effects_.begin_level();
   view_.begin_level();
   scene_builder_.begin_level();
+  begin_sound(game, settings);
   return base::Ok{};
+}
+
+void Presentation::begin_sound(const Game& game, const PresentationSettings& settings) {
+  has_sound_ = settings.sound;
+  if (!has_sound_) return;
+  base::Jobs jobs(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  audio_scene_.begin_level(game, jobs);
+  time_s_ = 0;
 }
 
 void Presentation::apply_environment(const Game& game, double time_s, const PresentationSettings& settings) {
@@ -53,6 +64,10 @@ Presentation::Sight Presentation::look(ClientState& io_state, double time_s,
   const ViewMoment moment{time_s, view_angles_deg, find_entity(entities, game.view_entity), level};
   const PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
   hud_.advance(game, io_state.events(), time_s);
+  if (has_sound_) {
+    if (time_s < time_s_) audio_scene_.jump();
+    audio_scene_.advance(game, io_state.events(), level, view, settings.volumes);
+  }
   time_s_ = time_s;
   io_state.events().clear();
   return {entities, view};
@@ -87,6 +102,12 @@ base::Status Presentation::pass(ClientState& io_state, double time_s, const math
   if (io_state.events().new_level) TRY_STATUS(begin_level(io_state.game(), settings));
   if (models_) look(io_state, time_s, view_angles_deg, settings);
   return base::Ok{};
+}
+
+std::vector<std::string> Presentation::take_notes() {
+  std::vector<std::string> of_sound = audio_scene_.take_notes();
+  std::move(of_sound.begin(), of_sound.end(), std::back_inserter(notes_));
+  return std::exchange(notes_, {});
 }
 
 const render::DrawList& Presentation::draw_list(const ClientState& state, int width, int height,

@@ -49,7 +49,8 @@ PlayerView View::advance(const Game& game, const Events& events, const ViewMomen
     look_on(moment, view);
   else
     look_out(game, moment, settings, view);
-  view.contents = world::point_contents(moment.level, view.camera.origin_world);
+  view.leaf = world::find_leaf(moment.level, view.camera.origin_world);
+  view.contents = moment.level.leaf(view.leaf).contents;
   view.underwater = is_liquid(view.contents);
   view.tint = tint(game, view.contents, settings);
   return view;
