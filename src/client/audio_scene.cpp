@@ -63,9 +63,8 @@ void AudioScene::begin_ambients() {
                       nullptr};
 }
 
-void AudioScene::begin_level(const Game& game, base::Jobs& jobs) {
+void AudioScene::begin_level(const Game& game) {
   sounds_.begin_level(game.sounds);
-  sounds_.load_all(jobs);
   statics_.clear();
   noted_statics_.clear();
   // What an earlier level still had to say is said no more.

@@ -19,8 +19,8 @@ class AudioScene {
  public:
   explicit AudioScene(const assets::Library& library) : sounds_(library) {}
 
-  // All that sounded ends. Loads the level's sounds; those that are damaged or missing are silent.
-  void begin_level(const Game& game, base::Jobs& jobs);
+  // All that sounded ends. The level's sounds begin to be loaded; those that are damaged or missing are silent.
+  void begin_level(const Game& game);
   // Time went back, or jumped (a recording rewound): what sounded ends, but for what belongs to the level.
   void jump();
   // Hears what has happened, from where the eye is now.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <thread>
 
 namespace temblor::client {
 
@@ -31,8 +30,7 @@ base::Status Presentation::begin_level(const Game& game, const PresentationSetti
 void Presentation::begin_sound(const Game& game, const PresentationSettings& settings) {
   has_sound_ = settings.sound;
   if (!has_sound_) return;
-  base::Jobs jobs(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-  audio_scene_.begin_level(game, jobs);
+  audio_scene_.begin_level(game);
   time_s_ = 0;
 }
 

@@ -86,8 +86,13 @@ TEST_F(DemoSound, WhatHappensIsHeardThen) {
   EXPECT_NEAR(tone_at(heard.right, 1.1, kShot_hz), 0.5 * 0.7, 0.01);
   EXPECT_LT(tone_at(heard.left, 1.5, kShot_hz), 1e-3) << "stopped";
   EXPECT_LT(tone_at(heard.left, 2.5, kExplosion_hz), 1e-3);
-  // The explosion is ahead, 172 units and some away from the eye.
-  EXPECT_NEAR(tone_at(heard.left, 3.1, kExplosion_hz), 0.5 * 0.7 * (1 - 0.172), 0.02);
+  // The rocket's explosion is ahead and to the right; the eye is 22 units above the player's middle.
+  const math::Vec3 away = made_recording::kRocketTo - made_recording::kPlayer - math::Vec3(0, 0, 22);
+  const double distance = static_cast<double>(glm::length(away)),
+               side = static_cast<double>(-away.y) / distance;
+  const double loudness = 0.5 * 0.7 * (1 - distance / 1000);
+  EXPECT_NEAR(tone_at(heard.left, 3.1, kExplosion_hz), loudness * (1 - side), 0.003);
+  EXPECT_NEAR(tone_at(heard.right, 3.1, kExplosion_hz), loudness * (1 + side), 0.003);
 }
 
 TEST_F(DemoSound, VolumeIsAVariable) {

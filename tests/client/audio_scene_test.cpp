@@ -44,8 +44,7 @@ class AudioSceneTest : public ::testing::Test {
     if (!audio) {
       library.emplace(vfs::FileSystem::open(small_game.path()).value());
       audio.emplace(*library);
-      base::Jobs jobs(2, base::JobBackend::kStdThread);
-      audio->begin_level(game, jobs);
+      audio->begin_level(game);
     }
     return *audio;
   }
@@ -86,8 +85,7 @@ TEST_F(AudioSceneTest, WhatIsMissingOrDamagedIsNotedOnceALineEachWhenItWouldBeHe
   EXPECT_THAT(notes[0], HasSubstr("sound/misc/none.wav: not in"));
   EXPECT_THAT(notes[1], HasSubstr("misc/bad.wav: not a WAV sound"));
   for (const std::string& note : notes) EXPECT_THAT(note, HasSubstr("it stays silent"));
-  base::Jobs jobs(1);
-  scene().begin_level(game, jobs);
+  scene().begin_level(game);
   heard(events);
   EXPECT_THAT(scene().take_notes(), IsEmpty());
 }
