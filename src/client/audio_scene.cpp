@@ -65,7 +65,6 @@ void AudioScene::begin_ambients() {
 
 void AudioScene::begin_level(const Game& game) {
   sounds_.begin_level(game.sounds);
-  statics_.clear();
   noted_statics_.clear();
   // What an earlier level still had to say is said no more.
   events_.clear();
@@ -73,12 +72,12 @@ void AudioScene::begin_level(const Game& game) {
   begin_ambients();
 }
 
-void AudioScene::jump() {
+void AudioScene::resume(std::span<const net::SpawnStaticSound> static_sounds) {
   const bool had_new_ambients = events_.new_ambients;
   events_.clear();
   events_.begins_anew = true;
-  events_.statics = statics_;
   if (had_new_ambients) begin_ambients();
+  for (const net::SpawnStaticSound& what : static_sounds) hear(what);
 }
 
 void AudioScene::hear(const net::TempEntity& what) {
@@ -99,8 +98,7 @@ void AudioScene::hear(const net::SpawnStaticSound& what) {
                     sound->name));
     return;
   }
-  statics_.push_back({sound, what.origin, volume_of(what.volume), what.attenuation});
-  events_.statics.push_back(statics_.back());
+  events_.statics.push_back({sound, what.origin, volume_of(what.volume), what.attenuation});
 }
 
 void AudioScene::advance(const Game& game, const Events& events, const world::Level& level,

@@ -19,10 +19,12 @@ class AudioScene {
  public:
   explicit AudioScene(const assets::Library& library) : sounds_(library) {}
 
-  // All that sounded ends. The level's sounds begin to be loaded; those that are damaged or missing are silent.
+  // All that sounded ends. The level's sounds begin to be loaded; those that are damaged or missing are
+  // silent.
   void begin_level(const Game& game);
-  // Time went back, or jumped (a recording rewound): what sounded ends, but for what belongs to the level.
-  void jump();
+  // Another moment of the same level (a recording sought in): what sounded ends, and what has happened since
+  // is not heard. The level's static sounds by then are these.
+  void resume(std::span<const net::SpawnStaticSound> static_sounds);
   // Hears what has happened, from where the eye is now.
   void advance(const Game& game, const Events& events, const world::Level& level, const PlayerView& view,
                const audio::Volumes& volumes);
@@ -44,7 +46,6 @@ class AudioScene {
   SoundTable sounds_;
   audio::Scene scene_;
   audio::SoundEvents events_;
-  std::vector<audio::StaticSound> statics_;  // of the level
   std::uint32_t hit_count_ = 0;
   std::vector<std::string> notes_;
   std::vector<std::uint16_t> noted_statics_;

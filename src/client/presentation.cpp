@@ -13,25 +13,40 @@ base::Status Presentation::begin_level(const Game& game, const PresentationSetti
   models_.reset();
   TRY(ModelTable models, ModelTable::load(library_, game.models, notes_));
   models_.emplace(std::move(models));
+  model_names_ = game.models;
   client_settings_.no_lerp_models.clear();
   for (const std::string& name : game.models)
     client_settings_.no_lerp_models.push_back(std::find(settings.no_lerp_models.begin(),
                                                         settings.no_lerp_models.end(),
                                                         name) != settings.no_lerp_models.end());
   environment_ = environment_of(*models_->level());
+  scene_builder_.begin_level();
+  forget_past();
+  begin_sound(game, settings);
+  return base::Ok{};
+}
+
+void Presentation::forget_past() {
+  scene_ = {};
   hud_.begin_level();
   effects_.begin_level();
   view_.begin_level();
-  scene_builder_.begin_level();
-  begin_sound(game, settings);
+}
+
+base::Status Presentation::resume(ClientState& io_state, const EffectCounts& before,
+                                  const PresentationSettings& settings) {
+  if (!models_ || model_names_ != io_state.game().models)
+    TRY_STATUS(begin_level(io_state.game(), settings));
+  else
+    forget_past();
+  effects_.resume(before);
+  io_state.events().new_level = false;
   return base::Ok{};
 }
 
 void Presentation::begin_sound(const Game& game, const PresentationSettings& settings) {
   has_sound_ = settings.sound;
-  if (!has_sound_) return;
-  audio_scene_.begin_level(game);
-  time_s_ = 0;
+  if (has_sound_) audio_scene_.begin_level(game);
 }
 
 void Presentation::apply_environment(const Game& game, double time_s, const PresentationSettings& settings) {
@@ -60,12 +75,10 @@ Presentation::Sight Presentation::look(ClientState& io_state, double time_s,
   effects_.advance(io_state.events(), {level, time_s, entities, models_->flags(), game.view_entity},
                    settings.effects);
   const ViewMoment moment{time_s, view_angles_deg, find_entity(entities, game.view_entity), level};
-  const PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
+  PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
+  if (settings.camera) view = view_from(*settings.camera, level, settings.view);
   hud_.advance(game, io_state.events(), time_s);
-  if (has_sound_) {
-    if (time_s < time_s_) audio_scene_.jump();
-    audio_scene_.advance(game, io_state.events(), level, view, settings.volumes);
-  }
+  if (has_sound_) audio_scene_.advance(game, io_state.events(), level, view, settings.volumes);
   time_s_ = time_s;
   io_state.events().clear();
   return {entities, view};
@@ -79,7 +92,7 @@ void Presentation::make_scene(const ClientState& state, double time_s, const Sig
   light_before_ = {lights_before_, scene_.light_styles};
   scene_ = scene_builder_.build(
       {*models_, game, sight.entities, effects_, sight.view, state.weapon_frame_at(time_s, client_settings_),
-       time_s, settings.show_weapon && game.ending == Ending::kNone},
+       time_s, settings.show_weapon && game.ending == Ending::kNone, settings.camera.has_value()},
       notes_);
   lights_.assign(scene_.lights.begin(), scene_.lights.end());
   scene_.frame_number = ++frame_number_;

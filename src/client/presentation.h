@@ -37,6 +37,8 @@ struct PresentationSettings {
   bool fog = true, skybox = true;
   bool sound = false;  // loads sounds and fills audio_scene(); followed from the next level on
   audio::Volumes volumes;
+  // Where to look from instead of the player's eyes.
+  std::optional<render::Camera> camera;
 };
 
 class Presentation {
@@ -52,6 +54,13 @@ class Presentation {
   // which something happens.
   base::Status pass(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
                     const PresentationSettings& settings);
+  // The game's 2-D pictures; for menus and the console.
+  const assets::Pictures& pictures() const { return pictures_; }
+  // The state has been put to another moment of its recording, `before` which that much had happened: all
+  // that was under way ends, and time goes on from there. Loads the level if it is another one; what happens
+  // in this moment is still to be acted on.
+  base::Status resume(ClientState& io_state, const EffectCounts& before,
+                      const PresentationSettings& settings);
   // Whether there is a level to draw.
   bool has_level() const { return models_.has_value(); }
 
@@ -70,6 +79,7 @@ class Presentation {
  private:
   base::Status begin_level(const Game& game, const PresentationSettings& settings);
   void begin_sound(const Game& game, const PresentationSettings& settings);
+  void forget_past();
   struct Sight {
     std::span<const SeenEntity> entities;
     PlayerView view;
@@ -81,8 +91,10 @@ class Presentation {
   void apply_environment(const Game& game, double time_s, const PresentationSettings& settings);
 
   const assets::Library& library_;
+  std::vector<std::string> notes_;  // the pictures' too: made before them
   assets::Pictures pictures_;
   std::optional<ModelTable> models_;
+  std::vector<std::string> model_names_;  // of those, as the server named them
   ClientSettings client_settings_;
   Effects effects_;
   View view_;
@@ -99,7 +111,6 @@ class Presentation {
   std::uint32_t frame_number_ = 0;
   render::DrawList draw_list_;
   double time_s_ = 0;
-  std::vector<std::string> notes_;
 };
 
 }  // namespace temblor::client

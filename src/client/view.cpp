@@ -40,6 +40,17 @@ bool grows(const math::Vec3& now, const math::Vec3& before) {
 
 }  // namespace
 
+PlayerView view_from(const render::Camera& camera, const world::Level& level, const ViewSettings& settings) {
+  PlayerView view;
+  view.camera = camera;
+  view.leaf = world::find_leaf(level, camera.origin_world);
+  view.contents = level.leaf(view.leaf).contents;
+  view.underwater = is_liquid(view.contents);
+  view.tint = scaled(contents_tint(view.contents), settings.contents_tint);
+  view.show_weapon = false;
+  return view;
+}
+
 PlayerView View::advance(const Game& game, const Events& events, const ViewMoment& moment,
                          const ViewSettings& settings) {
   follow(game, events, moment);

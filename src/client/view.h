@@ -42,6 +42,9 @@ struct PlayerView {
   math::Vec3 weapon_angles_deg{0.0f};  // pitch is positive upwards, as alias models have it
 };
 
+// What is to be seen from anywhere else, by nobody.
+PlayerView view_from(const render::Camera& camera, const world::Level& level, const ViewSettings& settings);
+
 class View {
  public:
   void begin_level() { *this = {}; }

@@ -4,7 +4,7 @@
 #include "command/variables.h"
 #include "render/renderer.h"
 
-namespace temblor::app {
+namespace temblor::host {
 
 class RenderSettings {
  public:
@@ -21,4 +21,4 @@ class RenderSettings {
       band_rows_, show_, alias_raster_, alias_snap_;
 };
 
-}  // namespace temblor::app
+}  // namespace temblor::host

@@ -1,24 +1,24 @@
-#include "app/client_variables.h"
+#include "client/client_variables.h"
 
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string_view>
 
-namespace temblor::app {
+namespace temblor::client {
 namespace {
 
 // As the original's viewsize: what of the status bar is left.
 constexpr std::int64_t kSmallBarViewSize = 110, kNoBarViewSize = 120;
 
-client::StatusBar status_bar_of(std::int64_t view_size) {
-  if (view_size >= kNoBarViewSize) return client::StatusBar::kNone;
-  return view_size >= kSmallBarViewSize ? client::StatusBar::kSmall : client::StatusBar::kFull;
+StatusBar status_bar_of(std::int64_t view_size) {
+  if (view_size >= kNoBarViewSize) return StatusBar::kNone;
+  return view_size >= kSmallBarViewSize ? StatusBar::kSmall : StatusBar::kFull;
 }
 
-float weapon_rise_above(client::StatusBar bar) {
-  if (bar == client::StatusBar::kNone) return 0;
-  return bar == client::StatusBar::kSmall ? 1 : 2;
+float weapon_rise_above(StatusBar bar) {
+  if (bar == StatusBar::kNone) return 0;
+  return bar == StatusBar::kSmall ? 1 : 2;
 }
 
 std::vector<std::string> split_at_commas(std::string_view text) {
@@ -34,7 +34,7 @@ std::vector<std::string> split_at_commas(std::string_view text) {
 }  // namespace
 
 ClientVariables::ClientVariables(command::Variables& variables) {
-  const client::PresentationSettings defaults;
+  const PresentationSettings defaults;
   const auto factor = [&](const char* name, float value, double most, const char* help) {
     return variables.add_float(name, static_cast<double>(value), 0, most, help);
   };
@@ -77,11 +77,11 @@ ClientVariables::ClientVariables(command::Variables& variables) {
                                "How much sounds are muffled while the head is under water; the original: 0.");
 }
 
-client::PresentationSettings ClientVariables::read(const command::Variables& variables) const {
+PresentationSettings ClientVariables::read(const command::Variables& variables) const {
   const auto factor = [&](command::VariableIndex index) {
     return static_cast<float>(variables.float_value(index));
   };
-  client::PresentationSettings settings;
+  PresentationSettings settings;
   settings.interpolate = !variables.bool_value(no_lerp_);
   settings.no_lerp_models = split_at_commas(variables.text_value(no_lerp_models_));
   settings.effects.max_particles = static_cast<std::size_t>(variables.int_value(max_particles_));
@@ -106,4 +106,4 @@ client::PresentationSettings ClientVariables::read(const command::Variables& var
   return settings;
 }
 
-}  // namespace temblor::app
+}  // namespace temblor::client

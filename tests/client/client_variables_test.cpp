@@ -1,14 +1,12 @@
 // Each variable of the client sets its own field, and no other.
-#include "app/client_variables.h"
+#include "client/client_variables.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-namespace temblor::app {
+namespace temblor::client {
 namespace {
-
-using client::PresentationSettings;
 
 struct Case {
   const char* assignment;
@@ -17,7 +15,7 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  const auto bar = [](client::StatusBar status_bar) { return static_cast<double>(status_bar); };
+  const auto bar = [](StatusBar status_bar) { return static_cast<double>(status_bar); };
   return {
       {"cl_nolerp=1", [](const auto& s) { return s.interpolate; }, 1, 0},
       {"r_particles_max=7", [](const auto& s) { return static_cast<double>(s.effects.max_particles); }, 16384,
@@ -30,8 +28,8 @@ std::vector<Case> cases() {
       {"v_tint_bonus=0.5", [](const auto& s) { return s.view.bonus_tint; }, 1, 0.5},
       {"v_tint_powerup=0.5", [](const auto& s) { return s.view.powerup_tint; }, 1, 0.5},
       {"v_tint_liquid=0.5", [](const auto& s) { return s.view.contents_tint; }, 1, 0.5},
-      {"viewsize=120", [bar](const auto& s) { return bar(s.hud.status_bar); }, bar(client::StatusBar::kFull),
-       bar(client::StatusBar::kNone)},
+      {"viewsize=120", [bar](const auto& s) { return bar(s.hud.status_bar); }, bar(StatusBar::kFull),
+       bar(StatusBar::kNone)},
       {"scr_scale=3", [](const auto& s) { return s.hud.scale; }, 0, 3},
       {"scr_sbaralpha=0.5", [](const auto& s) { return s.hud.opacity; }, 1, 0.5},
       {"r_drawviewmodel=0", [](const auto& s) { return s.show_weapon; }, 1, 0},
@@ -76,4 +74,4 @@ TEST(ClientVariables, WeaponStandsClearOfTheStatusBar) {
 }
 
 }  // namespace
-}  // namespace temblor::app
+}  // namespace temblor::client

@@ -4,15 +4,15 @@
 #include "client/presentation.h"
 #include "command/variables.h"
 
-namespace temblor::app {
+namespace temblor::client {
 
 class ClientVariables {
  public:
-  // Registers the variables, each with its help; the defaults are those of client::PresentationSettings.
+  // Registers the variables, each with its help; the defaults are those of PresentationSettings.
   explicit ClientVariables(command::Variables& variables);
 
   // What the variables say now. `variables` is the table they were registered in.
-  client::PresentationSettings read(const command::Variables& variables) const;
+  PresentationSettings read(const command::Variables& variables) const;
 
  private:
   command::VariableIndex no_lerp_, no_lerp_models_, max_particles_, marks_, bob_, roll_, kick_, damage_tint_,
@@ -21,4 +21,4 @@ class ClientVariables {
       muffled_underwater_;
 };
 
-}  // namespace temblor::app
+}  // namespace temblor::client

@@ -1,11 +1,11 @@
-#include "app/render_settings.h"
+#include "host/render_settings.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 #include <thread>
 
-namespace temblor::app {
+namespace temblor::host {
 namespace {
 
 // Names in the order of the enumerations; the first one is the default.
@@ -87,4 +87,4 @@ render::Settings RenderSettings::read(const command::Variables& variables) const
   return settings;
 }
 
-}  // namespace temblor::app
+}  // namespace temblor::host

@@ -1,0 +1,254 @@
+#include "host/host.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "command/text.h"
+#include "host/configuration.h"
+#include "host/host_commands.h"
+
+namespace temblor::host {
+namespace {
+
+constexpr double kUnknownRefreshRate_hz = 60;
+constexpr double kHiddenRate_hz = 10;  // nobody looks
+// A server tells of a turn several times, lest one is lost.
+constexpr double kSameTurn_s = 0.1;
+
+}  // namespace
+
+Host::Host(Services services, const HostVariables& variables, HostOptions options)
+    : services_(std::move(services)),
+      variables_(variables),
+      options_(std::move(options)),
+      console_(variables.variables(), [this](std::string_view line) { print(line); }) {}
+
+Host::~Host() {
+  worker_.wait();
+}
+
+base::Result<std::unique_ptr<Host>> Host::start(Services services, const HostVariables& variables,
+                                                HostOptions options) {
+  std::unique_ptr<Host> host(new Host(std::move(services), variables, std::move(options)));
+  TRY_STATUS(host->open());
+  return host;
+}
+
+base::Status Host::open() {
+  now_s_ = services_.window.now_s();
+  TRY(data_, GameData::open(options_.folders));
+  session_ = std::make_unique<Session>(services_, data_->library, variables_.server(), options_.program_file);
+  client::add_binding_commands(console_, bindings_, [this](std::string_view line) { print(line); });
+  client::add_input_commands(console_, input_, event_time_s_, [this](std::string_view line) { print(line); });
+  add_host_commands(*this);
+  TRY_STATUS(configure());
+  return base::Ok{};
+}
+
+base::Status Host::configure() {
+  console_.set_loader([this](std::string_view name) { return read_commands(data_->library.files(), name); });
+  const auto run = [this](std::string_view file) {
+    console_.append(command::join_words({"exec", std::string(file)}));
+    console_.run();
+  };
+  // A game's own defaults first, for what it binds besides; the keys that hands know win over the original's.
+  if (data_->library.files().contains("default.cfg")) run("default.cfg");
+  bindings_.add_defaults();
+  if (const std::optional<std::string> file = configuration_to_run(data_->library.files())) run(*file);
+  if (data_->library.files().contains("autoexec.cfg")) run("autoexec.cfg");
+  if (options_.apply_overrides) TRY_STATUS(options_.apply_overrides());
+  window_settings_ = variables_.window();
+  TRY_STATUS(services_.window.apply(window_settings_));
+  for (const std::string& line : options_.commands) console_.append(line);
+  return base::Ok{};
+}
+
+void Host::print(std::string_view line) {
+  services_.print_line(line);
+}
+
+bool Host::frame() {
+  const double rate_hz = variables_.frames_per_second();
+  const double display_hz = services_.window.refresh_rate_hz();
+  const double limit_hz = !services_.window.is_visible() ? kHiddenRate_hz
+                          : rate_hz > 0                  ? rate_hz
+                          : display_hz > 0               ? display_hz
+                                                         : kUnknownRefreshRate_hz;
+  limiter_.wait(limit_hz, [this] { return services_.window.now_s(); });
+  const double before_s = std::exchange(now_s_, services_.window.now_s());
+  times_.frame_s = now_s_ - before_s;
+
+  take_input();
+  event_time_s_ = now_s_;
+  console_.run();
+  follow_variables();
+  read_server();
+  look_and_move();
+  if (const base::Status status = make_scene(); !status.ok()) {
+    print(status.error().message());
+    disconnect();
+  }
+  draw();
+  if (wants_to_quit_) {
+    session_->disconnect("The host has left.");
+    if (const base::Status saved = save_configuration(); !saved.ok()) print(saved.error().message());
+  }
+  return !wants_to_quit_;
+}
+
+void Host::take_input() {
+  events_.clear();
+  services_.window.poll(events_);
+  oldest_event_s_.reset();
+  for (const platform::InputEvent& event : events_) take_event(event);
+}
+
+void Host::take_event(const platform::InputEvent& event) {
+  event_time_s_ = event.time_s;
+  if (!oldest_event_s_) oldest_event_s_ = event.time_s;
+  if (const auto* key = std::get_if<platform::KeyChange>(&event.what)) {
+    take_key(*key);
+  } else if (const auto* mouse = std::get_if<platform::MouseMoved>(&event.what)) {
+    input_.add_mouse(mouse->right, mouse->down);
+  } else if (const auto* axis = std::get_if<platform::PadAxisMoved>(&event.what)) {
+    input_.set_axis(axis->axis, axis->value);
+  } else if (const auto* pad = std::get_if<platform::PadChanged>(&event.what)) {
+    print(fmt::format("{} {}", pad->name, pad->connected ? "is connected" : "is gone"));
+    if (!pad->connected) console_.append(held_.release_all());
+  } else if (const auto* focus = std::get_if<platform::FocusChanged>(&event.what)) {
+    has_focus_ = focus->focused;
+    if (!has_focus_) console_.append(held_.release_all());
+  } else if (const auto* changed = std::get_if<platform::WindowChanged>(&event.what)) {
+    take_size(*changed);
+  } else if (std::holds_alternative<platform::CloseRequested>(event.what)) {
+    quit();
+  }
+}
+
+// The player has pulled at the window: that is how large he wants it from now on.
+void Host::take_size(const platform::WindowChanged& changed) {
+  if (window_settings_.mode != platform::WindowMode::kWindowed) return;
+  window_settings_.size = {std::max(1, changed.width), std::max(1, changed.height)};
+  command::Variables& variables = variables_.variables();
+  for (const auto& [name, value] : {std::pair{"vid_width", window_settings_.size.width},
+                                    std::pair{"vid_height", window_settings_.size.height}})
+    if (const base::Status set = variables.set(name, std::to_string(value)); !set.ok())
+      print(set.error().message());
+}
+
+void Host::take_key(const platform::KeyChange& key) {
+  if (key.repeated) return;
+  if (!key.down)
+    console_.append(held_.release(key.key));
+  else
+    console_.append(held_.press(key.key, bindings_.commands(key.key)));
+  // At once, so that what happens in one frame keeps its order and its times.
+  console_.run();
+}
+
+void Host::follow_variables() {
+  const platform::WindowSettings wanted = variables_.window();
+  if (wanted != window_settings_) {
+    if (const base::Status applied = services_.window.apply(wanted); !applied.ok())
+      print(applied.error().message());
+    window_settings_ = wanted;
+  }
+  services_.window.capture_mouse(has_focus_ && session_->is_playing());
+}
+
+void Host::read_server() {
+  if (const std::optional<std::string> lost = session_->read(now_s_)) print(*lost);
+  if (client::Connection* const connection = session_->connection()) {
+    for (const std::string& text : connection->state().events().prints) print_part(text);
+    for (const std::string& line : connection->take_commands())
+      if (session_->server() != nullptr || may_be_stuffed(line)) console_.append(line);
+  }
+  print_part(session_->take_server_output());
+}
+
+void Host::print_part(std::string_view text) {
+  for (const char c : text) {
+    if (c == '\n')
+      print(std::exchange(line_, {}));
+    else
+      line_ += c;
+  }
+}
+
+void Host::look_and_move() {
+  const ZoomSettings zoom = variables_.zoom();
+  const bool zooms = input_.buttons()[client::Button::kZoom].is_down();
+  const auto step = static_cast<float>(zoom.speed * times_.frame_s);
+  zoom_ = std::clamp(zoom_ + (zooms ? step : -step), 0.0f, 1.0f);
+  fov_deg_ = zoom.fov_deg + (zoom.zoom_fov_deg - zoom.fov_deg) * zoom_;
+
+  if (!session_->is_playing()) return;
+  const client::Game& game = session_->connection()->state().game();
+  const bool is_same_turn = game.set_angles_deg == turned_to_deg_ && now_s_ - turned_s_ < kSameTurn_s;
+  if (game.turns != turns_ && !is_same_turn) {
+    input_.set_view_angles(game.set_angles_deg);
+    turned_to_deg_ = game.set_angles_deg;
+    turned_s_ = now_s_;
+  }
+  turns_ = game.turns;
+  const client::InputSettings settings = variables_.input();
+  const auto half_width = [](float fov_deg) { return std::tan(fov_deg * 0.00872665f); };
+  input_.look({.time_s = now_s_,
+               .zoom = half_width(zoom.fov_deg) / half_width(fov_deg_),
+               .ideal_pitch_deg = game.data.ideal_pitch_deg,
+               .may_drift = game.data.on_ground},
+              settings);
+  if (session_->wants_move(now_s_)) session_->send_move(input_.take_move(now_s_, settings), now_s_);
+}
+
+base::Status Host::make_scene() {
+  overlay_.clear();
+  if (!session_->is_playing()) return base::Ok{};
+  presentation_settings_ = variables_.presentation();
+  presentation_settings_.view.fov_deg = fov_deg_;
+  client::ClientState& state = session_->connection()->state();
+  TRY_STATUS(data_->presentation.advance(state, session_->time_s(), input_.view_angles_deg(),
+                                         presentation_settings_));
+  for (const std::string& note : data_->presentation.take_notes()) print(note);
+  return base::Ok{};
+}
+
+void Host::draw() {
+  const double began_s = services_.window.now_s();
+  const ScreenSettings settings = variables_.screen();
+  render::FrameBuffer& frame = screen_.begin(services_.window.size(), settings);
+  const auto step = [this] { session_->step_server(now_s_, is_halted()); };
+  const bool beside = variables_.is_parallel() && session_->server() != nullptr;
+  if (beside) worker_.begin(step);
+  render::FrameStats stats;
+  if (session_->is_playing() && data_->presentation.has_level()) {
+    stats = data_->renderer.render(data_->presentation.scene(), variables_.render(), frame);
+    overlay_ = data_->presentation.draw_list(session_->connection()->state(), frame.width(), frame.height(),
+                                             presentation_settings_);
+  } else {
+    overlay_.commands.push_back({.area = {0, 0, frame.width(), frame.height()}, .fill = 0});
+  }
+  data_->renderer.draw_overlay(overlay_, frame, stats);
+  times_.drawing_s = services_.window.now_s() - began_s;
+  const base::Status shown = screen_.show(data_->look.palette, settings, times_.drawing_s, services_.window);
+  times_.present_s = services_.window.now_s() - began_s - times_.drawing_s;
+  note_latency();
+  if (beside)
+    worker_.wait();
+  else
+    step();
+  if (!shown.ok()) print(shown.error().message());
+}
+
+void Host::note_latency() {
+  times_.latency_s = oldest_event_s_ ? services_.window.now_s() - *oldest_event_s_ : 0;
+}
+
+bool Host::is_halted() const {
+  return false;
+}
+
+}  // namespace temblor::host
