@@ -71,6 +71,10 @@ ClientVariables::ClientVariables(command::Variables& variables) {
   fog_ = variables.add_bool("r_fog", defaults.fog, "Draws the fog that a level or server asks for.");
   skybox_ =
       variables.add_bool("r_skybox", defaults.skybox, "Draws the skybox that a level or server asks for.");
+  sound_volume_ = variables.add_float("volume", 0.7, 0, 1, "How loud sounds are.");
+  music_volume_ = factor("bgmvolume", defaults.volumes.music, 1, "How loud music is.");
+  muffled_underwater_ = factor("s_underwater", defaults.volumes.muffled_underwater, 1,
+                               "How much sounds are muffled while the head is under water; the original: 0.");
 }
 
 PresentationSettings ClientVariables::read(const command::Variables& variables) const {
@@ -98,6 +102,7 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
                            factor(teleport_alpha_)};
   settings.fog = variables.bool_value(fog_);
   settings.skybox = variables.bool_value(skybox_);
+  settings.volumes = {factor(sound_volume_), factor(music_volume_), factor(muffled_underwater_)};
   return settings;
 }
 

@@ -126,6 +126,7 @@ void DemoSession::hear() {
 }
 
 void DemoSession::hear_level() {
+  presentation_->audio_scene().resume(static_sounds_);
   if (listener_ == nullptr) return;
   Events level;
   level.new_level = true;

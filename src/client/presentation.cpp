@@ -1,11 +1,12 @@
 #include "client/presentation.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace temblor::client {
 
 Presentation::Presentation(const assets::Library& library)
-    : library_(library), pictures_(library.pictures(notes_)), hud_(pictures_) {}
+    : library_(library), pictures_(library.pictures(notes_)), hud_(pictures_), audio_scene_(library) {}
 
 base::Status Presentation::begin_level(const Game& game, const PresentationSettings& settings) {
   scene_ = {};
@@ -21,6 +22,7 @@ base::Status Presentation::begin_level(const Game& game, const PresentationSetti
   environment_ = environment_of(*models_->level());
   scene_builder_.begin_level();
   forget_past();
+  begin_sound(game, settings);
   return base::Ok{};
 }
 
@@ -40,6 +42,11 @@ base::Status Presentation::resume(ClientState& io_state, const EffectCounts& bef
   effects_.resume(before);
   io_state.events().new_level = false;
   return base::Ok{};
+}
+
+void Presentation::begin_sound(const Game& game, const PresentationSettings& settings) {
+  has_sound_ = settings.sound;
+  if (has_sound_) audio_scene_.begin_level(game);
 }
 
 void Presentation::apply_environment(const Game& game, double time_s, const PresentationSettings& settings) {
@@ -71,6 +78,7 @@ Presentation::Sight Presentation::look(ClientState& io_state, double time_s,
   PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
   if (settings.camera) view = view_from(*settings.camera, level, settings.view);
   hud_.advance(game, io_state.events(), time_s);
+  if (has_sound_) audio_scene_.advance(game, io_state.events(), level, view, settings.volumes);
   time_s_ = time_s;
   io_state.events().clear();
   return {entities, view};
@@ -105,6 +113,12 @@ base::Status Presentation::pass(ClientState& io_state, double time_s, const math
   if (io_state.events().new_level) TRY_STATUS(begin_level(io_state.game(), settings));
   if (models_) look(io_state, time_s, view_angles_deg, settings);
   return base::Ok{};
+}
+
+std::vector<std::string> Presentation::take_notes() {
+  std::vector<std::string> of_sound = audio_scene_.take_notes();
+  std::move(of_sound.begin(), of_sound.end(), std::back_inserter(notes_));
+  return std::exchange(notes_, {});
 }
 
 const render::DrawList& Presentation::draw_list(const ClientState& state, int width, int height,

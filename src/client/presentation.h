@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "assets/library.h"
+#include "audio/scene.h"
 #include "base/result.h"
+#include "client/audio_scene.h"
 #include "client/client_state.h"
 #include "client/effects.h"
 #include "client/hud.h"
@@ -33,6 +35,8 @@ struct PresentationSettings {
   // Of liquids whose level says nothing of its own.
   render::LiquidAlpha liquid_alpha;
   bool fog = true, skybox = true;
+  bool sound = false;  // loads sounds and fills audio_scene(); followed from the next level on
+  audio::Volumes volumes;
   // Where to look from instead of the player's eyes.
   std::optional<render::Camera> camera;
 };
@@ -65,11 +69,16 @@ class Presentation {
   const render::DrawList& draw_list(const ClientState& state, int width, int height,
                                     const PresentationSettings& settings);
 
+  // What is heard, up to the last advance() or pass(). Its events are for whoever owns the mixer to take and
+  // clear.
+  AudioScene& audio_scene() { return audio_scene_; }
+
   // What was made do with since the last time it was asked for, a line each.
-  std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
+  std::vector<std::string> take_notes();
 
  private:
   base::Status begin_level(const Game& game, const PresentationSettings& settings);
+  void begin_sound(const Game& game, const PresentationSettings& settings);
   void forget_past();
   struct Sight {
     std::span<const SeenEntity> entities;
@@ -91,6 +100,8 @@ class Presentation {
   View view_;
   Hud hud_;
   SceneBuilder scene_builder_;
+  AudioScene audio_scene_;
+  bool has_sound_ = false;  // of this level
   LevelEnvironment environment_;
   std::string skybox_name_;
   render::Skybox skybox_;

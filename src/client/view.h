@@ -35,6 +35,7 @@ struct PlayerView {
   render::Camera camera;
   render::Tint tint;
   bool underwater = false;
+  world::LeafIndex leaf{};                             // that the eye is in
   world::Contents contents = world::Contents::kEmpty;  // at the eye
   bool show_weapon = true;
   math::Vec3 weapon_origin_world{0.0f};
