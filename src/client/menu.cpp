@@ -328,11 +328,10 @@ void Menu::draw(int width, int height, double time_s, render::DrawList& io_list)
   if (is_open() && state.waiting_row() == nullptr)
     if (const std::optional<MenuStep> step = state.steps.repeated(time_s)) state.step(*step);
   if (!is_open()) return;
-  const std::optional<Canvas> canvas =
-      Canvas::fit(state.context.pictures, width, height, state.number("scr_textsize", 1), io_list);
+  const CanvasLook look{state.number("scr_textsize", 1), state.number("con_highcontrast", 0) != 0};
+  const std::optional<Canvas> canvas = Canvas::fit(state.context.pictures, width, height, look, io_list);
   if (!canvas) return;
-  constexpr float kDim = 0.75f;
-  canvas->dim(state.number("con_highcontrast", 0) != 0 ? 1.0f : kDim);
+  canvas->dim();
   state.top().draw(*canvas, time_s);
   if (std::exchange(state.point_again, false)) state.top().point_at(state.pointer_x, state.pointer_y);
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "client/client_variables.h"
 #include "client/input_variables.h"
 #include "support/temporary_folder.h"
 
@@ -33,17 +34,17 @@ char letter_of(const render::DrawCommand& command) {
 void register_menu_variables(command::Variables& io_variables) {
   command::Variables& v = io_variables;
   const client::InputVariables input(v);
-  static constexpr std::string_view kColours[] = {"rgb", "indexed"}, kMips[] = {"footprint", "stock"},
-                                    kPerspectives[] = {"exact", "every16"};
-  for (const char* name : {"vid_vsync", "vid_fullscreen", "vid_borderless", "r_scale_auto", "scr_showfps",
-                           "r_drawviewmodel", "cl_nolerp", "r_marks", "r_fog", "r_skybox", "r_coloured_light",
-                           "r_alias_snap", "con_highcontrast", "scr_subtitles", "scr_safecolours", "coop"})
+  const client::ClientVariables presentation(v);
+  static constexpr std::string_view kColours[] = {"rgb", "indexed"},
+                                    kModes[] = {"window", "borderless", "fullscreen"},
+                                    kMips[] = {"footprint", "stock"}, kPerspectives[] = {"exact", "every16"};
+  for (const char* name :
+       {"vid_vsync", "scr_showlatency", "host_parallel", "vid_render_scale_auto", "scr_showfps",
+        "r_coloured_light", "r_alias_snap", "con_highcontrast", "scr_subtitles", "scr_safecolours", "coop"})
     v.add_bool(name, false, fmt::format("What {} does, said in one sentence that may be rather long.", name));
-  for (const char* name : {"volume", "bgmvolume", "ambient_level", "snd_waterfx", "r_scale", "scr_sbaralpha",
-                           "r_wateralpha", "r_slimealpha", "r_lavaalpha", "r_telealpha", "v_tint_damage",
-                           "v_tint_bonus", "v_tint_powerup", "v_tint_liquid", "joy_rumble"})
+  for (const char* name :
+       {"volume", "bgmvolume", "ambient_level", "snd_waterfx", "vid_render_scale", "joy_rumble"})
     v.add_float(name, 0.5, 0, 1, fmt::format("How much there is of {}.", name));
-  for (const char* name : {"v_kick", "v_bob", "v_roll"}) v.add_float(name, 1, 0, 4, "As the original: 1.");
   v.add_float("gamma", 1, 0.25, 4, "Below 1: brighter.");
   v.add_float("contrast", 1, 0.25, 4, "Of the picture.");
   v.add_float("brightness", 0, -1, 1, "Added to the picture.");
@@ -51,24 +52,24 @@ void register_menu_variables(command::Variables& io_variables) {
   v.add_float("zoom_fov", 30, 5, 170, "Degrees, while +zoom is held.");
   v.add_float("scr_textsize", 1, 0.5, 4, "Of menus, console and messages.");
   v.add_float("host_maxfps", 0, 0, 1000, "Frames a second, at most; 0: as many as there are.");
-  v.add_float("r_scale_fps", 60, 10, 1000, "Frames a second that the automatic scale aims at.");
+  v.add_float("vid_target_fps", 60, 10, 1000, "Frames a second that the automatic scale aims at.");
   v.add_float("skill", 1, 0, 3, "Of the next level: 0 easy, 1 normal, 2 hard, 3 nightmare.");
   v.add_float("timelimit", 0, 0, 1000000, "Minutes that a deathmatch lasts.");
+  v.add_choice("vid_mode", kModes, "A window, or all of the display.");
   v.add_choice("vid_color", kColours, "Colours of the picture.");
   v.add_choice("r_mip_rule", kMips, "How mip levels are chosen.");
   v.add_choice("r_perspective", kPerspectives, "Perspective of textures.");
   v.add_int("vid_width", 1280, 1, 16384, "Of the window, in pixels.");
   v.add_int("vid_height", 720, 1, 16384, "Of the window, in pixels.");
   v.add_int("vid_display", 0, 0, 15, "Which display.");
-  v.add_int("viewsize", 100, 30, 120, "110: the small bar; 120: none.");
-  v.add_int("scr_scale", 0, 0, 64, "0: chosen from the frame's size.");
   v.add_int("crosshair", 0, 0, 1, "Marks the middle.");
-  v.add_int("r_particles_max", 16384, 0, 1 << 20, "Particles at a time.");
   v.add_int("deathmatch", 0, 0, 255, "Players against one another.");
   v.add_int("teamplay", 0, 0, 255, "Whether players of one team hurt each other.");
   v.add_int("fraglimit", 0, 0, 1000000, "Kills that end a deathmatch.");
-  v.add_int("_cl_color", 4 << 4 | 13, 0, 255, "Shirt and pants.");
-  v.add_text("_cl_name", "player", "What others call you.");
+  v.add_int("topcolor", 4, 0, 13, "Colour of the shirt.");
+  v.add_int("bottomcolor", 13, 0, 13, "Colour of the trousers.");
+  v.add_int("port", 26000, 0, 65535, "Of games that others may join.");
+  v.add_text("name", "player", "What others call you.");
   v.add_text("hostname", "Temblor", "The server's name in lists.");
 }
 

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "client/menu_by_hand.h"
 
 namespace temblor::client {
@@ -131,15 +133,14 @@ TEST_F(MenuOptions, DisplayIsChangedWhenApplied) {
   ASSERT_TRUE(hand_.go_to("Shown in"));
   EXPECT_THAT(hand_.selected(), HasSubstr("window"));
   hand_.press(Key::kLeftArrow);
-  EXPECT_THAT(hand_.selected(), HasSubstr("full screen"));
-  EXPECT_EQ(value("vid_fullscreen"), "0");
+  EXPECT_THAT(hand_.selected(), HasSubstr("fullscreen"));
+  EXPECT_EQ(value("vid_mode"), "window");
   EXPECT_EQ(value("vid_width"), "1280");
   ASSERT_TRUE(hand_.choose("Apply"));
-  EXPECT_EQ(value("vid_fullscreen"), "1");
-  EXPECT_EQ(value("vid_borderless"), "0");
+  EXPECT_EQ(value("vid_mode"), "fullscreen");
   EXPECT_EQ(value("vid_width"), "1920");
   EXPECT_EQ(value("vid_height"), "1080");
-  EXPECT_THAT(hand_.commands(), ElementsAre("vid_restart"));
+  EXPECT_THAT(hand_.commands(), IsEmpty());
   ASSERT_TRUE(hand_.go_to("Display"));
   hand_.press(Key::kRightArrow);
   ASSERT_TRUE(hand_.go_to("Size"));
@@ -162,10 +163,12 @@ TEST_F(MenuOptions, GoBackToDefaults) {
 TEST_F(MenuOptions, ColoursOfClothes) {
   expect_at(MenuPage::kPlayer, "Shirt");
   hand_.press(Key::kRightArrow);
-  EXPECT_EQ(value("_cl_color"), std::to_string(5 << 4 | 13));
+  EXPECT_EQ(value("topcolor"), "5");
+  EXPECT_EQ(value("bottomcolor"), "13");
   ASSERT_TRUE(hand_.go_to("Pants"));
   hand_.press(Key::kRightArrow);
-  EXPECT_EQ(value("_cl_color"), std::to_string(5 << 4 | 0)) << "there are 14";
+  EXPECT_EQ(value("bottomcolor"), "0") << "there are 14";
+  EXPECT_EQ(value("topcolor"), "5");
 }
 
 TEST_F(MenuOptions, TextSizeMakesLettersLarger) {
@@ -180,6 +183,20 @@ TEST_F(MenuOptions, TextSizeMakesLettersLarger) {
   EXPECT_GT(height(), before);
   ASSERT_TRUE(hand_.variables().set("scr_textsize", "0.5").ok());
   EXPECT_LT(height(), before);
+}
+
+TEST_F(MenuOptions, HighContrastIsOneColourOnBlack) {
+  hand_.menu().open(MenuPage::kKeys);
+  const auto second_colours = [&] {
+    const render::DrawList& list = hand_.draw();
+    return std::count_if(list.commands.begin(), list.commands.end(),
+                         [](const render::DrawCommand& command) { return command.part_y >= 64; });
+  };
+  EXPECT_GT(second_colours(), 0);
+  EXPECT_LT(hand_.draw().commands.front().opacity, 1);
+  ASSERT_TRUE(hand_.variables().set("con_highcontrast", "1").ok());
+  EXPECT_EQ(second_colours(), 0);
+  EXPECT_EQ(hand_.draw().commands.front().opacity, 1);
 }
 
 TEST_F(MenuOptions, KeysAreBound) {

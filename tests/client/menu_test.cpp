@@ -349,10 +349,10 @@ TEST(Menu, EscapeLeavesATextAsItWas) {
   hand.type("xyz");
   hand.press(Key::kEscape);
   EXPECT_TRUE(hand.menu().is_open());
-  EXPECT_EQ(hand.variables().find("_cl_name")->text, "player");
+  EXPECT_EQ(hand.variables().find("name")->text, "player");
   hand.type("s");
   hand.press(Key::kEnter);
-  EXPECT_EQ(hand.variables().find("_cl_name")->text, "players") << "typing alone begins to edit";
+  EXPECT_EQ(hand.variables().find("name")->text, "players") << "typing alone begins to edit";
 }
 
 TEST(Menu, Hosts) {
@@ -365,11 +365,15 @@ TEST(Menu, Hosts) {
   hand.press(Key::kRightArrow);
   ASSERT_TRUE(hand.choose("Port"));
   for (int i = 0; i < 3; ++i) hand.press(Key::kBackspace);
-  hand.type("0x01");
+  hand.type("001");
   hand.press(Key::kEnter);
+  EXPECT_EQ(hand.variables().find("port")->text, "26001");
+  hand.type("x");
+  hand.press(Key::kEnter);
+  EXPECT_EQ(hand.variables().find("port")->text, "26001") << "no number";
   ASSERT_TRUE(hand.choose("Begin"));
   EXPECT_THAT(hand.commands(),
-              ElementsAre("disconnect", "maxplayers 9", "deathmatch 1", "coop 0", "port 26001", "map e1m7"));
+              ElementsAre("disconnect", "maxplayers 9", "deathmatch 1", "coop 0", "map e1m7"));
   hand.menu().open(MenuPage::kHost);
   ASSERT_TRUE(hand.choose("Game"));
   EXPECT_FALSE(hand.go_to("Frag limit"));

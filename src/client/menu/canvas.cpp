@@ -13,7 +13,7 @@ constexpr int kNarrowest = 5 * kCharacterSide, kLowest = kCharacterSide + 2;
 // Characters of 8 pixels are small on today's displays: for twice as large ones, pages are laid out in less.
 constexpr int kNarrowAtTwo = 288, kLowAtTwo = 180;
 constexpr int kDimMargin = 8;
-constexpr std::uint8_t kBlack = 0;
+constexpr std::uint8_t kBlack = 0, kLight = 15;  // of the palette's first row, which is grey
 
 }  // namespace
 
@@ -27,15 +27,17 @@ int choose_menu_scale(int frame_width, int frame_height, double text_size) {
 }
 
 std::optional<Canvas> Canvas::fit(const assets::Pictures& pictures, int frame_width, int frame_height,
-                                  double text_size, render::DrawList& io_list) {
+                                  const CanvasLook& look, render::DrawList& io_list) {
   if (frame_width < kNarrowest || frame_height < kLowest) return std::nullopt;
-  const int scale = choose_menu_scale(frame_width, frame_height, text_size);
+  const int scale = choose_menu_scale(frame_width, frame_height, look.text_size);
   Box area;
   area.width = std::min(frame_width / scale, kWidest) * scale;
   area.height = std::min(frame_height / scale, kHighest) * scale;
   area.x = (frame_width - area.width) / 2;
   area.y = (frame_height - area.height) / 2;
-  return Canvas(pictures, frame_width, frame_height, scale, area, io_list);
+  Canvas canvas(pictures, frame_width, frame_height, scale, area, io_list);
+  canvas.high_contrast_ = look.high_contrast;
+  return canvas;
 }
 
 Canvas::Canvas(const assets::Pictures& pictures, int frame_width, int frame_height, int scale,
@@ -51,8 +53,15 @@ Box Canvas::to_frame(const Box& box) const {
   return {area_.x + box.x * scale_, area_.y + box.y * scale_, box.width * scale_, box.height * scale_};
 }
 
-void Canvas::dim(float opacity) const {
-  fill({-kDimMargin, -kDimMargin, width() + 2 * kDimMargin, height() + 2 * kDimMargin}, kBlack, opacity);
+void Canvas::dim() const {
+  constexpr float kDim = 0.75f;
+  fill({-kDimMargin, -kDimMargin, width() + 2 * kDimMargin, height() + 2 * kDimMargin}, kBlack,
+       high_contrast_ ? 1.0f : kDim);
+}
+
+void Canvas::highlight(const Box& box) const {
+  constexpr float kHighlight = 0.18f, kHighContrast = 0.4f;
+  fill(box, kLight, high_contrast_ ? kHighContrast : kHighlight);
 }
 
 void Canvas::fill(const Box& box, std::uint8_t index, float opacity) const {
@@ -60,9 +69,15 @@ void Canvas::fill(const Box& box, std::uint8_t index, float opacity) const {
 }
 
 void Canvas::text(std::string_view text, int x, int y, int size) const {
-  if (size == 1) return panel_.text(text, x, y);
   const Box place = to_frame({x, y, 0, 0});
-  large_.at(place.x, place.y).text(text, 0, 0);
+  const Panel panel = (size == 1 ? panel_ : large_).at(place.x, place.y);
+  constexpr unsigned char kFirstColour = 127;
+  int right = 0;
+  for (const char c : text) {
+    const auto letter = static_cast<unsigned char>(c);
+    panel.character(high_contrast_ ? letter & kFirstColour : letter, right, 0);
+    right += kCharacterSide;
+  }
 }
 
 void Canvas::text_in_middle(std::string_view words, int y, int size) const {

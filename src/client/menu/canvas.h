@@ -24,11 +24,16 @@ struct Box {
 // `text_size`, but never so many that it would not fit. Only at 2 it may stand out a little.
 int choose_menu_scale(int frame_width, int frame_height, double text_size);
 
+struct CanvasLook {
+  double text_size = 1;
+  bool high_contrast = false;  // text in one colour on black
+};
+
 class Canvas {
  public:
   // Nothing for a frame too small for a word.
   static std::optional<Canvas> fit(const assets::Pictures& pictures, int frame_width, int frame_height,
-                                   double text_size, render::DrawList& io_list);
+                                   const CanvasLook& look, render::DrawList& io_list);
 
   int width() const { return area_.width / scale_; }
   int height() const { return area_.height / scale_; }
@@ -36,8 +41,10 @@ class Canvas {
   // In pixels of the frame.
   Box to_frame(const Box& box) const;
 
-  // Everything behind it, a little wider than the canvas.
-  void dim(float opacity) const;
+  // What is behind it, and a little around it.
+  void dim() const;
+  // Behind a row that is selected.
+  void highlight(const Box& box) const;
   void fill(const Box& box, std::uint8_t index, float opacity = 1) const;
   // `size`: 1, or 2 for characters of 16 x 16.
   void text(std::string_view text, int x, int y, int size = 1) const;
@@ -58,6 +65,7 @@ class Canvas {
   render::DrawList* list_;
   Box area_;  // of the frame
   int scale_;
+  bool high_contrast_ = false;
 };
 
 }  // namespace temblor::client

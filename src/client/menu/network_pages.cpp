@@ -20,6 +20,13 @@ constexpr int kDeathmatch = 0;
 // Rows of the palette that a player's clothes are drawn in.
 constexpr int kPaletteRow = 16, kShirtRow = 1, kPantsRow = 6;
 
+constexpr std::string_view kShirt = "topcolor", kPants = "bottomcolor";
+
+int row_of(const command::Variables& variables, std::string_view name, int otherwise) {
+  const command::Variable* const colour = variables.find(name);
+  return colour == nullptr ? otherwise : static_cast<int>(colour->number) & 15;
+}
+
 // The same shade of another row. From the eighth on they run from bright to dark.
 std::uint8_t in_row(int row, std::uint8_t pixel) {
   constexpr int kFirstReversed = 8;
@@ -129,17 +136,18 @@ std::unique_ptr<Row> make_mode_row(MenuChoices::Host& io_host) {
   return std::make_unique<LocalChoiceRow>("Game", std::move(parts));
 }
 
-std::unique_ptr<Row> make_port_row(MenuChoices::Host& io_host) {
+// A number that is typed: a slider for all of them would be no use.
+std::unique_ptr<Row> make_port_row(command::Variables& io_variables) {
+  const command::Variable* const port = io_variables.find("port");
+  if (port == nullptr) return nullptr;
   return std::make_unique<TextRow>(
-      "Port", TextRow::Parts{.read = [&io_host] { return io_host.port; },
+      "Port", TextRow::Parts{.read = [&io_variables] { return io_variables.find("port")->text; },
                              .write =
-                                 [&io_host](std::string port) {
-                                   constexpr std::size_t kMostDigits = 5;
-                                   std::erase_if(port, [](char c) { return c < '0' || c > '9'; });
-                                   io_host.port = port.substr(0, kMostDigits);
+                                 [&io_variables](std::string text) {
+                                   (void)io_variables.set("port", text);
                                    return Outcome{};
                                  },
-                             .help = "That others connect to; stock games look for servers at 26000."});
+                             .help = port->help});
 }
 
 Outcome host(const PageContext& context) {
@@ -149,7 +157,6 @@ Outcome host(const PageContext& context) {
   begun.commands = {"disconnect", fmt::format("maxplayers {}", chosen.players),
                     fmt::format("deathmatch {}", deathmatch ? 1 : 0),
                     fmt::format("coop {}", deathmatch ? 0 : 1)};
-  if (!chosen.port.empty()) begun.commands.push_back(fmt::format("port {}", chosen.port));
   begun.commands.push_back(command::join_words({"map", chosen.level}));
   return unless_lost(context, "Begin another one all the same?", std::move(begun));
 }
@@ -157,16 +164,15 @@ Outcome host(const PageContext& context) {
 // The player in his colours, in a picture that the function keeps; empty where the game has none.
 std::function<const formats::Picture*()> figure_in_colours(const PageContext& context) {
   const formats::Picture* const plain = context.pictures.find_real("gfx/menuplyr.lmp");
-  if (plain == nullptr || context.variables.find("_cl_color") == nullptr) return {};
+  if (plain == nullptr) return {};
   return [&variables = context.variables, plain, dressed = std::make_shared<formats::Picture>()] {
-    const command::Variable* const colours = variables.find("_cl_color");
-    const int bits = colours == nullptr ? 0 : static_cast<int>(colours->number);
+    const int shirt = row_of(variables, kShirt, kShirtRow), pants = row_of(variables, kPants, kPantsRow);
     *dressed = *plain;
     for (std::uint8_t& pixel : dressed->pixels)
       if (pixel / kPaletteRow == kShirtRow)
-        pixel = in_row(bits >> 4 & 15, pixel);
+        pixel = in_row(shirt, pixel);
       else if (pixel / kPaletteRow == kPantsRow)
-        pixel = in_row(bits & 15, pixel);
+        pixel = in_row(pants, pixel);
     return dressed.get();
   };
 }
@@ -248,7 +254,7 @@ Page make_host_page(const PageContext& context) {
     add_row(page, make_skill_row(context));
   }
   add_row(page, make_option_row(context.variables, {.variable = "hostname", .label = "Server's name"}));
-  page.rows.push_back(make_port_row(chosen));
+  add_row(page, make_port_row(context.variables));
   return page;
 }
 
@@ -256,9 +262,9 @@ Page make_player_page(const PageContext& context) {
   Page page;
   page.title = "Player";
   page.nothing = "There is nothing to set.";
-  add_row(page, make_option_row(context.variables, {.variable = "_cl_name", .label = "Name"}));
-  add_row(page, make_colour_row(context.variables, "_cl_color", "Shirt", Clothes::kShirt));
-  add_row(page, make_colour_row(context.variables, "_cl_color", "Pants", Clothes::kPants));
+  add_row(page, make_option_row(context.variables, {.variable = "name", .label = "Name"}));
+  add_row(page, make_colour_row(context.variables, {.variable = kShirt, .label = "Shirt"}));
+  add_row(page, make_colour_row(context.variables, {.variable = kPants, .label = "Pants"}));
   page.picture = figure_in_colours(context);
   return page;
 }

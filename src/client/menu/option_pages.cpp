@@ -13,7 +13,6 @@ namespace temblor::client {
 namespace {
 
 using Video = MenuChoices::Video;
-enum VideoMode { kWindow, kBorderless, kFullScreen };
 
 // Of those that are registered.
 std::vector<std::string> resets(const command::Variables& variables, std::span<const OptionLook> looks) {
@@ -46,43 +45,46 @@ Page make_table_page(const PageContext& context, std::string title, std::span<co
   return page;
 }
 
-double number_of(const command::Variables& variables, std::string_view name, double otherwise) {
-  const command::Variable* const variable = variables.find(name);
-  return variable == nullptr ? otherwise : variable->number;
-}
+constexpr const char *kWidth = "vid_width", *kHeight = "vid_height", *kMode = "vid_mode",
+                     *kDisplay = "vid_display";
 
 Video video_now(const command::Variables& variables) {
-  Video now;
-  now.is_known = true;
-  now.mode = number_of(variables, "vid_fullscreen", 0) != 0   ? kFullScreen
-             : number_of(variables, "vid_borderless", 0) != 0 ? kBorderless
-                                                              : kWindow;
-  now.display = static_cast<int>(number_of(variables, "vid_display", 0));
-  now.size = {static_cast<int>(number_of(variables, "vid_width", 0)),
-              static_cast<int>(number_of(variables, "vid_height", 0))};
-  return now;
+  const auto number_of = [&](const char* name) {
+    const command::Variable* const variable = variables.find(name);
+    return variable == nullptr ? 0 : static_cast<int>(variable->number);
+  };
+  const command::Variable* const mode = variables.find(kMode);
+  return {.is_known = true,
+          .mode = mode == nullptr ? std::string() : mode->text,
+          .display = number_of(kDisplay),
+          .size = {number_of(kWidth), number_of(kHeight)}};
 }
 
+// All of it at once, so that whoever looks at the variables changes the window once.
 Outcome apply_video(const PageContext& context) {
   Video& chosen = context.choices.video;
-  const auto set = [&](const char* name, int value) {
-    (void)context.variables.set(name, fmt::format("{}", value));
+  // Where one is not registered there was no row for it.
+  const auto set = [&](const char* name, const std::string& value) {
+    (void)context.variables.set(name, value);
   };
-  set("vid_fullscreen", chosen.mode == kFullScreen ? 1 : 0);
-  set("vid_borderless", chosen.mode == kBorderless ? 1 : 0);
-  set("vid_display", chosen.display);
-  set("vid_width", chosen.size.width);
-  set("vid_height", chosen.size.height);
+  set(kMode, chosen.mode);
+  set(kDisplay, fmt::format("{}", chosen.display));
+  set(kWidth, fmt::format("{}", chosen.size.width));
+  set(kHeight, fmt::format("{}", chosen.size.height));
   chosen.is_known = false;
-  return {.commands = {"vid_restart"}, .refresh = true};
+  return {.refresh = true};
 }
 
-std::unique_ptr<Row> make_mode_row(Video& io_chosen) {
+std::unique_ptr<Row> make_mode_row(const command::Variable& mode, Video& io_chosen) {
   LocalChoiceRow::Parts parts;
-  parts.names = {"window", "borderless", "full screen"};
-  parts.chosen = [&io_chosen] { return io_chosen.mode; };
-  parts.choose = [&io_chosen](int number) { io_chosen.mode = number; };
-  parts.help = "What the picture is shown in; \"Apply\" below changes to it.";
+  parts.names = mode.choices;
+  parts.chosen = [&io_chosen, names = mode.choices] {
+    return static_cast<int>(std::find(names.begin(), names.end(), io_chosen.mode) - names.begin());
+  };
+  parts.choose = [&io_chosen, names = mode.choices](int number) {
+    io_chosen.mode = names[static_cast<std::size_t>(number)];
+  };
+  parts.help = fmt::format("{} \"Apply\" below changes to it. ({})", mode.help, mode.name);
   return std::make_unique<LocalChoiceRow>("Shown in", std::move(parts));
 }
 
@@ -113,11 +115,12 @@ std::unique_ptr<Row> make_size_row(const PageContext& context) {
 }
 
 void add_display_rows(const PageContext& context, Page& io_page) {
-  if (context.variables.find("vid_width") == nullptr) return;
+  if (context.variables.find(kWidth) == nullptr) return;
   Video& chosen = context.choices.video;
   if (!chosen.is_known) chosen = video_now(context.variables);
   io_page.rows.push_back(make_size_row(context));
-  io_page.rows.push_back(make_mode_row(chosen));
+  if (const command::Variable* const mode = context.variables.find(kMode))
+    io_page.rows.push_back(make_mode_row(*mode, chosen));
   const int displays = asked(context.content.displays);
   if (displays > 1) io_page.rows.push_back(make_display_row(chosen, displays));
   io_page.rows.push_back(std::make_unique<ActionRow>(

@@ -192,11 +192,9 @@ void SliderRow::slide(double fraction) {
   go_to_step(std::round(std::clamp(fraction, 0.0, 1.0) * steps()));
 }
 
-// Both halves of the variable's eight bits.
 class ColourRow : public ChoiceRow {
  public:
-  ColourRow(const Bound& variable, std::string label, Clothes clothes)
-      : ChoiceRow(std::move(label)), variable_(variable), shift_(clothes == Clothes::kShirt ? 4 : 0) {}
+  ColourRow(const Bound& variable, std::string label) : ChoiceRow(std::move(label)), variable_(variable) {}
 
   std::string help() const override { return variable_.help(); }
   void draw(const Canvas& canvas, const RowPlace& place) const override;
@@ -210,15 +208,13 @@ class ColourRow : public ChoiceRow {
  protected:
   std::string value() const override { return {}; }
   int count() const override { return kColours; }
-  int chosen() const override { return bits() >> shift_ & 15; }
-  void choose(int number) override { variable_.set_number((bits() & ~(15 << shift_)) | number << shift_); }
+  int chosen() const override { return static_cast<int>(variable_.get().number); }
+  void choose(int number) override { variable_.set_number(number); }
 
  private:
   static constexpr int kColours = 14;
-  int bits() const { return static_cast<int>(variable_.get().number); }
 
   Bound variable_;
-  int shift_;
 };
 
 void ColourRow::draw(const Canvas& canvas, const RowPlace& place) const {
@@ -262,11 +258,10 @@ std::unique_ptr<Row> make_option_row(command::Variables& io_variables, const Opt
                                                      });
 }
 
-std::unique_ptr<Row> make_colour_row(command::Variables& io_variables, std::string_view variable,
-                                     std::string label, Clothes clothes) {
-  const Variable* const found = io_variables.find(variable);
-  if (found == nullptr || found->type != VariableType::kInt) return nullptr;
-  return std::make_unique<ColourRow>(Bound(io_variables, variable), std::move(label), clothes);
+std::unique_ptr<Row> make_colour_row(command::Variables& io_variables, const OptionLook& look) {
+  const Variable* const variable = io_variables.find(look.variable);
+  if (variable == nullptr || variable->type != VariableType::kInt) return nullptr;
+  return std::make_unique<ColourRow>(Bound(io_variables, look.variable), std::string(look.label));
 }
 
 }  // namespace temblor::client

@@ -26,9 +26,7 @@ struct OptionLook {
 // variable. Changes are set at once. The help is the variable's.
 std::unique_ptr<Row> make_option_row(command::Variables& io_variables, const OptionLook& look);
 
-// One of the 14 colours of players' clothes, in the upper or lower four bits of the variable; null alike.
-enum class Clothes { kShirt, kPants };
-std::unique_ptr<Row> make_colour_row(command::Variables& io_variables, std::string_view variable,
-                                     std::string label, Clothes clothes);
+// One of the 14 colours of players' clothes; null where there is no such whole number.
+std::unique_ptr<Row> make_colour_row(command::Variables& io_variables, const OptionLook& look);
 
 }  // namespace temblor::client

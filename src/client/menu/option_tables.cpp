@@ -6,9 +6,14 @@ std::span<const OptionLook> picture_options() {
   static constexpr OptionLook kLooks[] = {
       {.variable = "vid_vsync", .label = "Vertical sync"},
       {.variable = "host_maxfps", .label = "Frame limit", .high = 250, .step = 10, .zero = "none"},
-      {.variable = "r_scale_auto", .label = "Automatic scale"},
-      {.variable = "r_scale_fps", .label = "Scale aims at", .low = 30, .high = 144, .step = 6, .unit = "fps"},
-      {.variable = "r_scale",
+      {.variable = "vid_render_scale_auto", .label = "Automatic scale"},
+      {.variable = "vid_target_fps",
+       .label = "Scale aims at",
+       .low = 30,
+       .high = 144,
+       .step = 6,
+       .unit = "fps"},
+      {.variable = "vid_render_scale",
        .label = "Render scale",
        .low = 0.5,
        .high = 1,
@@ -21,6 +26,8 @@ std::span<const OptionLook> picture_options() {
       {.variable = "brightness", .label = "Brightness", .low = -0.5, .high = 0.5, .step = 0.05},
       {.variable = "fov", .label = "Field of view", .low = 60, .high = 130, .step = 5},
       {.variable = "scr_showfps", .label = "Show frame rate"},
+      {.variable = "scr_showlatency", .label = "Show latency"},
+      {.variable = "host_parallel", .label = "Two cores"},
   };
   return kLooks;
 }

@@ -40,11 +40,10 @@ struct MenuChoices {
     std::string level;
     int players = 8;
     int mode = 0;  // 0 deathmatch, 1 coop
-    std::string port = "26000";
   } host;
   struct Video {
     bool is_known = false;  // taken from the variables
-    int mode = 0;           // 0 window, 1 borderless, 2 full screen
+    std::string mode;
     int display = 0;
     platform::PixelSize size;
   } video;

@@ -158,8 +158,7 @@ void PageView::draw_row(const Canvas& canvas, const RowPlace& place, std::size_t
   const Box& box = place.box;
   const Box whole{box.x - kCursor, box.y - 1, box.width + kCursor, box.height + 2};
   if (place.selected) {
-    constexpr float kHighlight = 0.18f;
-    canvas.fill(whole, kLight, kHighlight);
+    canvas.highlight(whole);
     canvas.text(std::string_view(&glyph::kArrow, 1), box.x - (place.letters == 1 ? 10 : kCursor), box.y,
                 place.letters);
   }
