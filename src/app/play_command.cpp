@@ -109,6 +109,7 @@ base::Status run_play(const PlayOptions& options, const CommonOptions& common,
       .folders = {base_folder, common.folders.games},
       .program_file = options.program.empty() ? watch.program() : options.program,
       .commands = first_commands(options, watch.level()),
+      .version = "Temblor " TEMBLOR_VERSION,
       .apply_overrides = [&] { return apply_command_line(options, common, variables.variables()); }};
   TRY(const std::unique_ptr<host::Host> host,
       host::Host::start(services_for(*window), variables, std::move(host_options)));
