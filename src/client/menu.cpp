@@ -36,6 +36,17 @@ std::string_view file_of(MenuSound sound) {
   return {};
 }
 
+// What is pressed, pushed, typed or pointed at. A stick on its way back to the middle is one that is let go.
+bool is_for_menu(const platform::InputEvent& event) {
+  constexpr float kLetGo = 0.25f;
+  if (const auto* const change = std::get_if<KeyChange>(&event.what)) return change->down;
+  if (const auto* const moved = std::get_if<platform::PadAxisMoved>(&event.what))
+    return std::abs(moved->value) > kLetGo;
+  return std::holds_alternative<platform::TextTyped>(event.what) ||
+         std::holds_alternative<platform::MouseMoved>(event.what) ||
+         std::holds_alternative<platform::PointerMoved>(event.what);
+}
+
 int pixel_of(float fraction, int size) {
   // Beyond the window is beyond the window, however far.
   return static_cast<int>(std::floor(std::clamp(fraction, -1.0f, 2.0f) * static_cast<float>(size)));
@@ -62,7 +73,7 @@ struct Menu::State {
   void make_top_anew();
   void catch_up_refresh();
 
-  bool take(const platform::InputEvent& event);
+  void take(const platform::InputEvent& event);
   void point(const platform::PointerMoved& moved);
   void type(std::string_view text);
   void pick(char letter);
@@ -223,7 +234,7 @@ void Menu::State::type(std::string_view text) {
   if (search != top().search()) top().set_search(std::move(search));
 }
 
-bool Menu::State::take(const platform::InputEvent& event) {
+void Menu::State::take(const platform::InputEvent& event) {
   const auto* const change = std::get_if<KeyChange>(&event.what);
   const bool is_pressed = change != nullptr && change->down;
   if (is_pressed) drop_text = false;
@@ -231,23 +242,18 @@ bool Menu::State::take(const platform::InputEvent& event) {
     Outcome outcome;
     if (row->take(event, outcome)) {
       drop_text = is_pressed && !row->is_waiting();
-      carry_out(std::move(outcome));
-      return is_pressed || change == nullptr;
+      return carry_out(std::move(outcome));
     }
   }
-  if (const auto* const moved = std::get_if<platform::PointerMoved>(&event.what)) {
-    point(*moved);
-    return true;
-  }
+  if (const auto* const moved = std::get_if<platform::PointerMoved>(&event.what)) return point(*moved);
   if (const auto* const typed = std::get_if<platform::TextTyped>(&event.what)) {
     if (!std::exchange(drop_text, false)) type(typed->text);
-    return true;
+    return;
   }
   if (std::holds_alternative<platform::FocusChanged>(event.what)) top().let_go();
-  if (change == nullptr || !take_mouse(*change))
-    if (const std::optional<MenuStep> taken = steps.take(event)) step(*taken);
-  return is_pressed || std::holds_alternative<platform::MouseMoved>(event.what) ||
-         std::holds_alternative<platform::PadAxisMoved>(event.what);
+  if (std::holds_alternative<platform::WindowChanged>(event.what)) refresh_waits = true;
+  if (change != nullptr && take_mouse(*change)) return;
+  if (const std::optional<MenuStep> taken = steps.take(event)) step(*taken);
 }
 
 double Menu::State::number(std::string_view variable, double otherwise) const {
@@ -316,9 +322,9 @@ void Menu::refresh() {
 
 bool Menu::handle(const platform::InputEvent& event) {
   if (!is_open()) return false;
-  const bool taken = state_->take(event);
+  state_->take(event);
   state_->catch_up_refresh();
-  return taken;
+  return is_for_menu(event);
 }
 
 void Menu::draw(int width, int height, double time_s, render::DrawList& io_list) {

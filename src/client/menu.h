@@ -67,8 +67,8 @@ class Menu {
   // The content's lists have changed: pages ask for them anew, and keep what is selected.
   void refresh();
 
-  // Whether it was for the menu. An open one takes all that is pressed, typed and pointed at; what is let
-  // go, and what happens to the window, it looks at and leaves to others.
+  // Whether it was for the menu. An open one takes all that is pressed, pushed, typed and pointed at; what is
+  // let go, and what happens to the window, it looks at and leaves to others.
   bool handle(const platform::InputEvent& event);
 
   // Appends to `io_list`, which refers to the menu until the next call of anything else. `time_s` is on the

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "vfs/disk.h"
 
@@ -54,6 +53,12 @@ base::Status keep_damaged(const vfs::FileSystem& files, std::string_view name) {
   std::filesystem::rename(file, aside, failure);
   if (failure) return base::error(base::ErrorCode::kIo, "{}: {}", file.string(), failure.message());
   return base::Ok{};
+}
+
+std::string read_history(const std::filesystem::path& folder) {
+  const base::Result<base::ByteVector> bytes =
+      vfs::read_disk_file(folder / kHistoryFile, kMaxCommandFileBytes);
+  return bytes.ok() ? std::string(base::as_text(*bytes)) : std::string();
 }
 
 std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables) {

@@ -1,6 +1,7 @@
 // The player's settings between runs.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,10 @@ namespace temblor::host {
 
 // Ours, in the last game folder; another engine's config.cfg is read where there is none, and never written.
 constexpr std::string_view kConfigurationFile = "temblor.cfg";
+// Lines typed into the console.
+constexpr std::string_view kHistoryFile = "temblor.history";
+// Empty where there is none.
+std::string read_history(const std::filesystem::path& folder);
 
 // Text of a file of commands: from the last game folder as it is now, or from the game's files. kMalformed
 // for what is no text.

@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "command/text.h"
-#include "host/configuration.h"
 #include "host/host_commands.h"
 
 namespace temblor::host {
@@ -24,7 +23,12 @@ Host::Host(Services services, const HostVariables& variables, HostOptions option
     : services_(std::move(services)),
       variables_(variables),
       options_(std::move(options)),
-      console_(variables.variables(), [this](std::string_view line) { print(line); }) {}
+      console_(variables.variables(), [this](std::string_view line) { print(line); }),
+      console_ui_(
+          {.complete = [this](std::string_view line) { return console_.complete_line(line); },
+           .read_clipboard = [this] { return services_.window.clipboard(); },
+           .write_clipboard = [this](std::string_view text) { services_.window.set_clipboard(text); }}),
+      search_(services_) {}
 
 Host::~Host() {
   worker_.wait();
@@ -40,34 +44,18 @@ base::Result<std::unique_ptr<Host>> Host::start(Services services, const HostVar
 base::Status Host::open() {
   now_s_ = services_.window.now_s();
   TRY(data_, GameData::open(options_.folders));
-  session_ = std::make_unique<Session>(services_, data_->library, variables_.server(), options_.program_file);
+  take_up_data();
   client::add_binding_commands(console_, bindings_, [this](std::string_view line) { print(line); });
   client::add_input_commands(console_, input_, event_time_s_, [this](std::string_view line) { print(line); });
   add_host_commands(*this);
+  if (services_.open_audio) sound_.emplace(services_.open_audio);
   TRY_STATUS(configure());
-  return base::Ok{};
-}
-
-base::Status Host::configure() {
-  console_.set_loader([this](std::string_view name) { return read_commands(data_->library.files(), name); });
-  const auto run = [this](std::string_view file) {
-    console_.append(command::join_words({"exec", std::string(file)}));
-    console_.run();
-  };
-  // A game's own defaults first, for what it binds besides; the keys that hands know win over the original's.
-  if (data_->library.files().contains("default.cfg")) run("default.cfg");
-  bindings_.add_defaults();
-  if (const std::optional<std::string> file = configuration_to_run(data_->library.files())) run(*file);
-  if (data_->library.files().contains("autoexec.cfg")) run("autoexec.cfg");
-  if (options_.apply_overrides) TRY_STATUS(options_.apply_overrides());
-  window_settings_ = variables_.window();
-  TRY_STATUS(services_.window.apply(window_settings_));
-  for (const std::string& line : options_.commands) console_.append(line);
   return base::Ok{};
 }
 
 void Host::print(std::string_view line) {
   services_.print_line(line);
+  console_ui_.print_utf8(fmt::format("{}\n", line), now_s_);
 }
 
 bool Host::frame() {
@@ -87,16 +75,19 @@ bool Host::frame() {
   follow_variables();
   read_server();
   look_and_move();
-  if (const base::Status status = make_scene(); !status.ok()) {
+  if (const base::Status status = demo_ ? show_demo() : make_scene(); !status.ok()) {
     print(status.error().message());
     disconnect();
   }
+  make_sound();
   draw();
-  if (wants_to_quit_) {
-    session_->disconnect("The host has left.");
-    if (const base::Status saved = save_configuration(); !saved.ok()) print(saved.error().message());
-  }
+  if (wants_to_quit_) leave();
   return !wants_to_quit_;
+}
+
+void Host::leave() {
+  disconnect();
+  if (const base::Status saved = save_configuration(); !saved.ok()) print(saved.error().message());
 }
 
 void Host::take_input() {
@@ -109,6 +100,12 @@ void Host::take_input() {
 void Host::take_event(const platform::InputEvent& event) {
   event_time_s_ = event.time_s;
   if (!oldest_event_s_) oldest_event_s_ = event.time_s;
+  const bool was_in_game = is_in_game();
+  if (take_by_console_or_menu(event)) {
+    // Whatever was held when it opened will not be heard of again.
+    if (was_in_game) console_.append(held_.release_all());
+    return;
+  }
   if (const auto* key = std::get_if<platform::KeyChange>(&event.what)) {
     take_key(*key);
   } else if (const auto* mouse = std::get_if<platform::MouseMoved>(&event.what)) {
@@ -128,6 +125,15 @@ void Host::take_event(const platform::InputEvent& event) {
   }
 }
 
+bool Host::take_by_console_or_menu(const platform::InputEvent& event) {
+  bool taken = console_ui_.handle(event);
+  if (!taken) taken = menu_->handle(event);
+  if (!taken && demo_) taken = demo_controls_.handle(event);
+  for (const std::string& line : console_ui_.take_commands()) console_.append(line);
+  for (const std::string& line : menu_->take_commands()) console_.append(line);
+  return taken;
+}
+
 // The player has pulled at the window: that is how large he wants it from now on.
 void Host::take_size(const platform::WindowChanged& changed) {
   if (window_settings_.mode != platform::WindowMode::kWindowed) return;
@@ -141,6 +147,7 @@ void Host::take_size(const platform::WindowChanged& changed) {
 
 void Host::take_key(const platform::KeyChange& key) {
   if (key.repeated) return;
+  if (key.down && key.key == platform::Key::kEscape) return toggle_menu();
   if (!key.down)
     console_.append(held_.release(key.key));
   else
@@ -156,23 +163,72 @@ void Host::follow_variables() {
       print(applied.error().message());
     window_settings_ = wanted;
   }
-  services_.window.capture_mouse(has_focus_ && session_->is_playing());
+  tell_player();
+  services_.window.capture_mouse(has_focus_ && is_in_game() &&
+                                 (session_->is_playing() || (demo_ && demo_controls_.is_flying())));
+  const bool takes_text = console_ui_.takes_text() || menu_->wants_text();
+  if (takes_text != takes_text_) services_.window.take_text(takes_text);
+  takes_text_ = takes_text;
+  if (search_.update(now_s_)) menu_->refresh();
+}
+
+// Who changes his name or colours does so in the game that runs.
+void Host::tell_player() {
+  client::PlayerSettings player = variables_.player();
+  if (client::Connection* const connection = session_->connection(); connection != nullptr) {
+    if (player.name != player_.name) connection->send_command(command::join_words({"name", player.name}));
+    if (player.shirt != player_.shirt || player.pants != player_.pants)
+      connection->send_command(fmt::format("color {} {}", player.shirt, player.pants));
+  }
+  player_ = std::move(player);
 }
 
 void Host::read_server() {
   if (const std::optional<std::string> lost = session_->read(now_s_)) print(*lost);
   if (client::Connection* const connection = session_->connection()) {
-    for (const std::string& text : connection->state().events().prints) print_part(text);
+    const client::Events& events = connection->state().events();
+    for (const std::string& text : events.prints) print_part(text);
+    rumble(events);
     for (const std::string& line : connection->take_commands())
       if (session_->server() != nullptr || may_be_stuffed(line)) console_.append(line);
   }
   print_part(session_->take_server_output());
 }
 
+// The harder the blow, the harder and longer.
+void Host::rumble(const client::Events& events) {
+  constexpr float kHardest = 50;
+  float blow = 0;
+  for (const net::Damage& damage : events.damages)
+    blow += static_cast<float>(damage.armor) + static_cast<float>(damage.blood);
+  const float strength = std::min(blow / kHardest, 1.0f) * variables_.rumble();
+  if (strength > 0)
+    services_.window.rumble(strength, strength / 2, 0.1 + 0.2 * static_cast<double>(strength));
+}
+
+// What the frame before has led to, and the menus' clicks.
+void Host::make_sound() {
+  client::AudioScene& scene = data_->presentation.audio_scene();
+  for (const std::string& name : menu_->take_sounds()) scene.play_local(name);
+  for (const std::string& note : scene.take_notes()) print(note);
+  if (sound_) {
+    sound_->advance(now_s_, scene.scene(), scene.events());
+    const client::Game* const game = demo_                    ? &demo_->state().game()
+                                     : session_->is_playing() ? &session_->connection()->state().game()
+                                                              : nullptr;
+    sound_->play_music(data_->library, game != nullptr ? game->music_track : 0);
+    sound_->pause_music(is_halted() || (game != nullptr && game->paused));
+    for (const std::string& note : sound_->take_notes()) print(note);
+  }
+  scene.events().clear();
+}
+
+// Text of the game, in its own letters.
 void Host::print_part(std::string_view text) {
+  console_ui_.print(text, now_s_);
   for (const char c : text) {
     if (c == '\n')
-      print(std::exchange(line_, {}));
+      services_.print_line(std::exchange(line_, {}));
     else
       line_ += c;
   }
@@ -185,6 +241,7 @@ void Host::look_and_move() {
   zoom_ = std::clamp(zoom_ + (zooms ? step : -step), 0.0f, 1.0f);
   fov_deg_ = zoom.fov_deg + (zoom.zoom_fov_deg - zoom.fov_deg) * zoom_;
 
+  const client::InputSettings settings = variables_.input();
   if (!session_->is_playing()) return;
   const client::Game& game = session_->connection()->state().game();
   const bool is_same_turn = game.set_angles_deg == turned_to_deg_ && now_s_ - turned_s_ < kSameTurn_s;
@@ -194,7 +251,6 @@ void Host::look_and_move() {
     turned_s_ = now_s_;
   }
   turns_ = game.turns;
-  const client::InputSettings settings = variables_.input();
   const auto half_width = [](float fov_deg) { return std::tan(fov_deg * 0.00872665f); };
   input_.look({.time_s = now_s_,
                .zoom = half_width(zoom.fov_deg) / half_width(fov_deg_),
@@ -202,53 +258,6 @@ void Host::look_and_move() {
                .may_drift = game.data.on_ground},
               settings);
   if (session_->wants_move(now_s_)) session_->send_move(input_.take_move(now_s_, settings), now_s_);
-}
-
-base::Status Host::make_scene() {
-  overlay_.clear();
-  if (!session_->is_playing()) return base::Ok{};
-  presentation_settings_ = variables_.presentation();
-  presentation_settings_.view.fov_deg = fov_deg_;
-  client::ClientState& state = session_->connection()->state();
-  TRY_STATUS(data_->presentation.advance(state, session_->time_s(), input_.view_angles_deg(),
-                                         presentation_settings_));
-  for (const std::string& note : data_->presentation.take_notes()) print(note);
-  return base::Ok{};
-}
-
-void Host::draw() {
-  const double began_s = services_.window.now_s();
-  const ScreenSettings settings = variables_.screen();
-  render::FrameBuffer& frame = screen_.begin(services_.window.size(), settings);
-  const auto step = [this] { session_->step_server(now_s_, is_halted()); };
-  const bool beside = variables_.is_parallel() && session_->server() != nullptr;
-  if (beside) worker_.begin(step);
-  render::FrameStats stats;
-  if (session_->is_playing() && data_->presentation.has_level()) {
-    stats = data_->renderer.render(data_->presentation.scene(), variables_.render(), frame);
-    overlay_ = data_->presentation.draw_list(session_->connection()->state(), frame.width(), frame.height(),
-                                             presentation_settings_);
-  } else {
-    overlay_.commands.push_back({.area = {0, 0, frame.width(), frame.height()}, .fill = 0});
-  }
-  data_->renderer.draw_overlay(overlay_, frame, stats);
-  times_.drawing_s = services_.window.now_s() - began_s;
-  const base::Status shown = screen_.show(data_->look.palette, settings, times_.drawing_s, services_.window);
-  times_.present_s = services_.window.now_s() - began_s - times_.drawing_s;
-  note_latency();
-  if (beside)
-    worker_.wait();
-  else
-    step();
-  if (!shown.ok()) print(shown.error().message());
-}
-
-void Host::note_latency() {
-  times_.latency_s = oldest_event_s_ ? services_.window.now_s() - *oldest_event_s_ : 0;
-}
-
-bool Host::is_halted() const {
-  return false;
 }
 
 }  // namespace temblor::host

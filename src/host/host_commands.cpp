@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <string>
 
 #include "base/text.h"
@@ -101,11 +102,83 @@ void change_view_size(Host& io_host, int step) {
   print_error(io_host, variables.set("viewsize", std::to_string(static_cast<int>(wanted))));
 }
 
-void add_game_commands(Host& io_host) {
-  const auto add = [&](std::string_view name, std::string_view help, auto run) {
+// Commands are plain functions of host and words.
+auto adder(Host& io_host) {
+  return [&io_host](std::string_view name, std::string_view help, auto run) {
     io_host.console().add_command(name, help,
                                   [host = &io_host, run](Arguments arguments) { run(*host, arguments); });
   };
+}
+
+double number_of(const std::string& word) {
+  return std::strtod(word.c_str(), nullptr);
+}
+
+void demo_command(Host& io_host, Arguments arguments, void (*run)(client::DemoSession&, double number)) {
+  if (io_host.demo() == nullptr)
+    return io_host.print(fmt::format("{}: no recording is playing", arguments[0]));
+  run(*io_host.demo(), arguments.size() > 1 ? number_of(arguments[1]) : 0);
+}
+
+void add_demo_commands(Host& io_host) {
+  const auto add = adder(io_host);
+  const auto add_named = [&](std::string_view name, std::string_view help,
+                             base::Status (Host::*run)(std::string_view)) {
+    add(name, help, [run, help](Host& host, Arguments arguments) {
+      if (arguments.size() != 2) return host.print(help);
+      print_error(host, (host.*run)(arguments[1]));
+    });
+  };
+  add_named("playdemo",
+            "playdemo NAME shows a recording: Space stops it, the arrows seek and change its speed.",
+            &Host::play_demo);
+  add_named("timedemo", "timedemo NAME draws every update of a recording as fast as it can.",
+            &Host::time_demo);
+  add_named("record", "record NAME records what is seen, until `stop`.", &Host::record);
+  add("stop", "Ends the recording that is being made.",
+      [](Host& host, Arguments) { print_error(host, host.stop_recording()); });
+  add("stopdemo", "Leaves the recording that is playing.", [](Host& host, Arguments) { host.stop_demo(); });
+  add("demo_pause", "Stops a recording, or lets it go on.", [](Host& host, Arguments arguments) {
+    demo_command(host, arguments, [](client::DemoSession& demo, double) { demo.pause(!demo.is_paused()); });
+  });
+  add("demo_speed", "demo_speed TIMES: 0.1 to 8.", [](Host& host, Arguments arguments) {
+    demo_command(host, arguments, [](client::DemoSession& demo, double number) { demo.set_speed(number); });
+  });
+  add("demo_seek", "demo_seek SECONDS goes to that moment; +SECONDS and -SECONDS on and back.",
+      [](Host& host, Arguments arguments) {
+        if (arguments.size() != 2 || host.demo() == nullptr)
+          return host.print("demo_seek SECONDS, +SECONDS or -SECONDS, while a recording is playing");
+        const bool is_step = arguments[1].starts_with('+') || arguments[1].starts_with('-');
+        const double from_s = is_step ? host.demo()->time_s() : host.demo()->begin_s();
+        print_error(host, host.seek_demo(from_s + number_of(arguments[1])));
+      });
+}
+
+void add_screen_commands(Host& io_host) {
+  const auto add = adder(io_host);
+  for (const client::MenuCommand& menu : client::menu_commands())
+    io_host.console().add_command(menu.name, "Opens a page of the menus.",
+                                  [host = &io_host, page = menu.page](Arguments) { host->open_menu(page); });
+  add("togglemenu", "Opens the menus, or closes them.", [](Host& host, Arguments) { host.toggle_menu(); });
+  add("toggleconsole", "Opens the console, or closes it.",
+      [](Host& host, Arguments) { host.console_ui().toggle(); });
+  add("messagemode", "Says something to everybody.",
+      [](Host& host, Arguments) { host.console_ui().begin_chat(false); });
+  add("messagemode2", "Says something to the own side.",
+      [](Host& host, Arguments) { host.console_ui().begin_chat(true); });
+  add("clear", "Empties the console.", [](Host& host, Arguments) { host.console_ui().clear(); });
+  add("condump", "condump [FILE] writes what the console has shown to a file.",
+      [](Host& host, Arguments arguments) {
+        print_error(host, host.dump_console(arguments.size() > 1 ? arguments[1] : "condump.txt"));
+      });
+  add("bind_defaults", "Gives all keys what they run at first.", [](Host& host, Arguments) {
+    host.bindings().unbind_all();
+    host.bindings().add_defaults();
+  });
+}
+
+void add_game_commands(Host& io_host) {
+  const auto add = adder(io_host);
   // Those with one name behind them.
   const auto add_named = [&](std::string_view name, std::string_view help,
                              base::Status (Host::*run)(std::string_view)) {
@@ -151,6 +224,8 @@ void add_host_commands(Host& io_host) {
   add_player_commands(io_host);
   add_server_commands(io_host);
   add_game_commands(io_host);
+  add_demo_commands(io_host);
+  add_screen_commands(io_host);
 }
 
 bool may_be_stuffed(std::string_view line) {

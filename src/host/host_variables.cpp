@@ -10,7 +10,7 @@
 namespace temblor::host {
 namespace {
 
-// In the order of platform::WindowMode and render::PixelFormat; the first is the default.
+// In the order of platform::WindowMode, and of true colour before the palette; the first is the default.
 constexpr std::array<std::string_view, 3> kModes = {"window", "borderless", "fullscreen"};
 constexpr std::array<std::string_view, 2> kColours = {"rgb", "indexed"};
 
@@ -23,7 +23,12 @@ std::vector<std::string> names_of(const command::Variables& variables) {
 }  // namespace
 
 HostVariables::HostVariables(command::Variables& variables)
-    : variables_(&variables), render_(variables), client_(variables), input_(variables), server_(variables) {
+    : variables_(&variables),
+      render_(variables),
+      client_(variables),
+      input_(variables),
+      console_(variables),
+      server_(variables) {
   const platform::WindowSettings window;
   width_ = variables.add_int("vid_width", window.size.width, 1, 16384, "Width of the window, pixels.");
   height_ = variables.add_int("vid_height", window.size.height, 1, 16384, "Height of the window, pixels.");
@@ -50,6 +55,8 @@ HostVariables::HostVariables(command::Variables& variables)
   name_ = variables.add_text("name", "player", "What other players see.");
   shirt_ = variables.add_int("topcolor", 0, 0, 13, "Colour of the shirt.");
   pants_ = variables.add_int("bottomcolor", 0, 0, 13, "Colour of the trousers.");
+  rumble_ =
+      variables.add_float("joy_rumble", 1, 0, 1, "How strongly the gamepad shakes when the player is hurt.");
   max_players_ = variables.add_int("maxplayers", 1, 1, 16, "Players in the next game that begins here.");
   port_ = variables.add_int("port", 26000, 0, 65535, "UDP port of games that others may join; 0: any.");
   parallel_ = variables.add_bool("host_parallel", true,

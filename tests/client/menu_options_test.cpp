@@ -53,6 +53,9 @@ TEST_F(MenuOptions, SwitchSlideAndChoose) {
   ASSERT_TRUE(hand_.variables().set("fov", "92.5").ok());
   hand_.press(Key::kLeftArrow);
   EXPECT_EQ(value("fov"), "90") << "onto the next step";
+  ASSERT_TRUE(hand_.variables().set("fov", "92.5").ok());
+  hand_.press(Key::kRightArrow);
+  EXPECT_EQ(value("fov"), "95") << "alike";
   ASSERT_TRUE(hand_.variables().set("fov", "170").ok());
   EXPECT_THAT(hand_.selected(), HasSubstr("170")) << "what lies outside is told as it is";
 
@@ -150,6 +153,22 @@ TEST_F(MenuOptions, DisplayIsChangedWhenApplied) {
   hand_.press(Key::kEscape);
   expect_at(MenuPage::kVideo, "Size");
   EXPECT_THAT(hand_.selected(), HasSubstr("1920 x 1080")) << "not applied, forgotten";
+}
+
+TEST_F(MenuOptions, DisplayRowsFollowAWindowThatIsResized) {
+  expect_at(MenuPage::kVideo, "Size");
+  const auto resize = [&] {
+    ASSERT_TRUE(hand_.variables().set("vid_width", "1000").ok());
+    ASSERT_TRUE(hand_.variables().set("vid_height", "700").ok());
+    hand_.menu().handle({0, platform::WindowChanged{}});
+  };
+  resize();
+  EXPECT_THAT(hand_.selected(), HasSubstr("1000 x 700"));
+  ASSERT_TRUE(hand_.variables().set("vid_width", "1280").ok());
+  hand_.press(Key::kRightArrow);
+  const std::string chosen = hand_.selected();
+  resize();
+  EXPECT_EQ(hand_.selected(), chosen) << "what was chosen stays so";
 }
 
 TEST_F(MenuOptions, GoBackToDefaults) {

@@ -355,6 +355,16 @@ TEST(Menu, EscapeLeavesATextAsItWas) {
   EXPECT_EQ(hand.variables().find("name")->text, "players") << "typing alone begins to edit";
 }
 
+TEST(Menu, TextsHoldWhatCanBeShown) {
+  MenuByHand hand;
+  hand.menu().open(MenuPage::kPlayer);
+  ASSERT_TRUE(hand.choose("Name"));
+  for (const std::string& typed : {std::string("\n"), std::string("\xc3\xa9\x01"), std::string(10000, 'x')})
+    hand.menu().handle({0, platform::TextTyped{typed}});
+  hand.press(Key::kEnter);
+  EXPECT_EQ(hand.variables().find("name")->text, "player" + std::string(194, 'x'));
+}
+
 TEST(Menu, Hosts) {
   MenuByHand hand;
   hand.menu().open(MenuPage::kHost);
@@ -474,6 +484,7 @@ TEST(Menu, TakesWhatIsForItAndLeavesTheRest) {
   EXPECT_TRUE(taken(platform::PointerMoved{0.5f, 0.5f}));
   EXPECT_TRUE(taken(platform::MouseMoved{5, 5}));
   EXPECT_TRUE(taken(platform::PadAxisMoved{platform::PadAxis::kRightX, 1}));
+  EXPECT_FALSE(taken(platform::PadAxisMoved{platform::PadAxis::kRightX, 0}));
   EXPECT_FALSE(taken(platform::FocusChanged{false}));
   EXPECT_FALSE(taken(platform::WindowChanged{}));
   EXPECT_FALSE(taken(platform::CloseRequested{}));

@@ -55,7 +55,7 @@ TEST(Host, WalksWhereItsKeysSay) {
   played.press(Key{'w'});
   played.run(0.3);
   played.release(Key{'w'});
-  played.run(0.5);
+  played.run(1);
   const math::Vec3 after = server.game()->player(0)[server::field::kOrigin];
   EXPECT_GT(glm::length(after - before), 30);
   const math::Vec3 velocity = server.game()->player(0)[server::field::kVelocity];
@@ -71,7 +71,7 @@ TEST(Host, NothingSticksWhenTheFocusIsLost) {
   played.window().put(platform::FocusChanged{false});
   played.run(0.1);
   EXPECT_FALSE(played.window().is_mouse_captured());
-  played.run(0.5);
+  played.run(1);
   server::Server& server = *played.host().session().server();
   const math::Vec3 velocity = server.game()->player(0)[server::field::kVelocity];
   EXPECT_LT(glm::length(math::Vec2(velocity)), 1);
@@ -187,9 +187,9 @@ TEST(Host, WindowsOfAnySizeAreDrawn) {
 
 TEST(Host, PaletteAndTrueColourShowTheSameScene) {
   SKIP_WITHOUT_QUAKEC();
-  PlayedHost played({"map small"});
+  PlayedHost played({"viewsize 120; con_notifylines 0", "map small"});
   ASSERT_TRUE(played.run_until_playing());
-  played.run(0.2);
+  played.run(1.5);  // until the console has gone
   const std::vector<std::uint32_t> rgb = played.window().shown();
   played.command("vid_color indexed");
   played.run(0.01, 0.01);

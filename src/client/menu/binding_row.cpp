@@ -1,5 +1,7 @@
 #include "client/menu/binding_row.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "client/key_names.h"
@@ -14,25 +16,32 @@ std::vector<platform::Key> BindingRow::keys() const {
   return asked(content_->keys_of, std::string_view(commands_));
 }
 
+std::string BindingRow::keys_in_words(std::string_view between) const {
+  std::string words;
+  for (const platform::Key key : keys()) {
+    if (!words.empty()) words += between;
+    words += key_name(key);
+  }
+  return words;
+}
+
 std::string BindingRow::help() const {
   if (waiting_) return "Press the key or button for it. Escape: leave it as it is.";
-  return "Enter: one more key for it. Backspace, Delete or X of a gamepad: none.";
+  constexpr std::string_view kHelp = "Enter: one more key for it. Backspace, Delete or X of a gamepad: none.";
+  // There may be more than the row has room for.
+  return keys().size() > 2 ? fmt::format("{}. {}", keys_in_words(", "), kHelp) : std::string(kHelp);
 }
 
 void BindingRow::draw(const Canvas& canvas, const RowPlace& place) const {
   constexpr double kBlinkSeconds = 0.4;
-  std::string value;
+  constexpr std::string_view kWaits = "press a key";
   if (waiting_) {
     const bool bright = std::fmod(std::abs(place.time_s), 2 * kBlinkSeconds) < kBlinkSeconds;
-    value = bright ? "press a key" : in_second_colour("press a key");
-  } else {
-    for (const platform::Key key : keys()) {
-      if (!value.empty()) value += in_second_colour(" or ");
-      value += key_name(key);
-    }
-    if (value.empty()) value = in_second_colour("-");
+    return draw_label_and_value(canvas, place, label_,
+                                bright ? std::string(kWaits) : in_second_colour(kWaits), false);
   }
-  draw_label_and_value(canvas, place, label_, value, false);
+  const std::string words = keys_in_words(in_second_colour(" or "));
+  draw_label_and_value(canvas, place, label_, words.empty() ? in_second_colour("-") : words, false);
 }
 
 Outcome BindingRow::activate() {

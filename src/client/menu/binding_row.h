@@ -30,6 +30,7 @@ class BindingRow : public Row {
 
  private:
   std::vector<platform::Key> keys() const;
+  std::string keys_in_words(std::string_view between) const;
 
   const MenuContent* content_;
   std::string label_, commands_;

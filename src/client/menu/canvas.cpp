@@ -54,14 +54,13 @@ Box Canvas::to_frame(const Box& box) const {
 }
 
 void Canvas::dim() const {
-  constexpr float kDim = 0.75f;
   fill({-kDimMargin, -kDimMargin, width() + 2 * kDimMargin, height() + 2 * kDimMargin}, kBlack,
-       high_contrast_ ? 1.0f : kDim);
+       high_contrast_ ? 1.0f : kStrong);
 }
 
 void Canvas::highlight(const Box& box) const {
-  constexpr float kHighlight = 0.18f, kHighContrast = 0.4f;
-  fill(box, kLight, high_contrast_ ? kHighContrast : kHighlight);
+  constexpr float kHighContrast = 0.4375f;
+  fill(box, kLight, high_contrast_ ? kHighContrast : kFaint);
 }
 
 void Canvas::fill(const Box& box, std::uint8_t index, float opacity) const {

@@ -67,7 +67,7 @@ Outcome opening(const PageContext& context, MenuPage page) {
   if (page == MenuPage::kNewGame) return new_game(context);
   if (page == MenuPage::kJoin && context.content.search_servers) context.content.search_servers();
   // What was chosen there and not applied is forgotten.
-  if (page == MenuPage::kVideo) context.choices.video = {};
+  if (page == MenuPage::kVideo) context.choices.video.reset();
   return {.page = maker_of(page)};
 }
 

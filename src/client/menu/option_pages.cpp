@@ -54,15 +54,14 @@ Video video_now(const command::Variables& variables) {
     return variable == nullptr ? 0 : static_cast<int>(variable->number);
   };
   const command::Variable* const mode = variables.find(kMode);
-  return {.is_known = true,
-          .mode = mode == nullptr ? std::string() : mode->text,
+  return {.mode = mode == nullptr ? std::string() : mode->text,
           .display = number_of(kDisplay),
           .size = {number_of(kWidth), number_of(kHeight)}};
 }
 
 // All of it at once, so that whoever looks at the variables changes the window once.
 Outcome apply_video(const PageContext& context) {
-  Video& chosen = context.choices.video;
+  const Video chosen = *context.choices.video;
   // Where one is not registered there was no row for it.
   const auto set = [&](const char* name, const std::string& value) {
     (void)context.variables.set(name, value);
@@ -71,7 +70,7 @@ Outcome apply_video(const PageContext& context) {
   set(kDisplay, fmt::format("{}", chosen.display));
   set(kWidth, fmt::format("{}", chosen.size.width));
   set(kHeight, fmt::format("{}", chosen.size.height));
-  chosen.is_known = false;
+  context.choices.video.reset();
   return {.refresh = true};
 }
 
@@ -99,7 +98,7 @@ std::unique_ptr<Row> make_display_row(Video& io_chosen, int displays) {
 }
 
 std::unique_ptr<Row> make_size_row(const PageContext& context) {
-  Video& chosen = context.choices.video;
+  Video& chosen = *context.choices.video;
   std::vector<platform::PixelSize> sizes = asked(context.content.display_sizes, int{chosen.display});
   if (std::find(sizes.begin(), sizes.end(), chosen.size) == sizes.end())
     sizes.insert(sizes.begin(), chosen.size);
@@ -116,8 +115,11 @@ std::unique_ptr<Row> make_size_row(const PageContext& context) {
 
 void add_display_rows(const PageContext& context, Page& io_page) {
   if (context.variables.find(kWidth) == nullptr) return;
-  Video& chosen = context.choices.video;
-  if (!chosen.is_known) chosen = video_now(context.variables);
+  MenuChoices& choices = context.choices;
+  // A window that is resized otherwise is followed, as long as nothing else was chosen.
+  if (!choices.video || choices.video == choices.video_before)
+    choices.video = choices.video_before = video_now(context.variables);
+  Video& chosen = *choices.video;
   io_page.rows.push_back(make_size_row(context));
   if (const command::Variable* const mode = context.variables.find(kMode))
     io_page.rows.push_back(make_mode_row(*mode, chosen));
@@ -151,6 +153,7 @@ Page make_options_page(const PageContext& context) {
 Page make_video_page(const PageContext& context) {
   Page page;
   page.title = "Video";
+  page.title_picture = "gfx/vidmodes.lmp";
   page.nothing = "There is nothing to set.";
   add_display_rows(context, page);
   add_options(context, picture_options(), page);

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,11 +43,12 @@ struct MenuChoices {
     int mode = 0;  // 0 deathmatch, 1 coop
   } host;
   struct Video {
-    bool is_known = false;  // taken from the variables
     std::string mode;
     int display = 0;
     platform::PixelSize size;
-  } video;
+    bool operator==(const Video&) const = default;
+  };
+  std::optional<Video> video, video_before;  // chosen, and what it was when that began
 };
 
 // All of it outlives the pages.

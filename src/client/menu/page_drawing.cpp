@@ -174,7 +174,6 @@ void PageView::draw_row(const Canvas& canvas, const RowPlace& place, std::size_t
 void PageView::draw_scroll_bar(const Canvas& canvas, const Box& beside) {
   if (lines_ <= room_) return;
   constexpr int kWidth = 3, kShortest = 6;
-  constexpr float kTrack = 0.15f, kThumb = 0.7f;
   const Box track{beside.right() + kScrollBar - kWidth - 1, beside.y, kWidth, beside.height};
   Box thumb = track;
   thumb.height = std::clamp(static_cast<int>(static_cast<double>(track.height) * static_cast<double>(room_) /
@@ -182,8 +181,8 @@ void PageView::draw_scroll_bar(const Canvas& canvas, const Box& beside) {
                             std::min(kShortest, track.height), track.height);
   thumb.y += static_cast<int>(static_cast<double>(track.height - thumb.height) * static_cast<double>(first_) /
                               static_cast<double>(last_first()));
-  canvas.fill(track, kLight, kTrack);
-  canvas.fill(thumb, kLight, kThumb);
+  canvas.fill(track, kLight, kFaint);
+  canvas.fill(thumb, kLight, kStrong);
   scroll_bar_ = canvas.to_frame({beside.right(), track.y, kScrollBar, track.height});
 }
 

@@ -44,7 +44,7 @@ void TextRow::draw(const Canvas& canvas, const RowPlace& place) const {
   constexpr std::uint8_t kField = 15;  // a light one of the palette's first row, which is grey
   const Box right = value_box(place);
   const std::size_t chars = characters_in(right.width);
-  canvas.fill({right.x - 2, right.y - 1, right.width + 2, kCharacterSide + 2}, kField, 0.22f);
+  canvas.fill({right.x - 2, right.y - 1, right.width + 2, kCharacterSide + 2}, kField, kFaint);
   if (!edit_ || chars < 2) return draw_label_and_value(canvas, place, label_, parts_.read(), false);
   draw_label_and_value(canvas, place, label_, "", false);
   const std::size_t first = edit_->caret() + 1 > chars ? edit_->caret() + 1 - chars : 0;
