@@ -61,6 +61,12 @@ std::span<const OptionLook> sound_options() {
   static constexpr OptionLook kLooks[] = {
       {.variable = "volume", .label = "Sounds", .high = 1, .step = 0.05, .shown_factor = 100, .unit = "%"},
       {.variable = "bgmvolume", .label = "Music", .high = 1, .step = 0.05, .shown_factor = 100, .unit = "%"},
+      {.variable = "ambient_level",
+       .label = "Surroundings",
+       .high = 1,
+       .step = 0.05,
+       .shown_factor = 100,
+       .unit = "%"},
       {.variable = "s_underwater",
        .label = "Muffled in water",
        .high = 1,
