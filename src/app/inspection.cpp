@@ -32,12 +32,13 @@ enum class Format {
   kDem,
   kWad3,
   kMap,
-  kProgs
+  kProgs,
+  kWav
 };
 
-constexpr std::array<const char*, 15> kFormatNames = {
-    "level",    "coloured light", "entity text", "PAK",       "PK3",  "WAD2", "picture",        "palette",
-    "colormap", "model",          "sprite",      "recording", "WAD3", "map",  "compiled QuakeC"};
+constexpr std::array<const char*, 16> kFormatNames = {
+    "level",    "coloured light", "entity text", "PAK",       "PK3",  "WAD2", "picture",         "palette",
+    "colormap", "model",          "sprite",      "recording", "WAD3", "map",  "compiled QuakeC", "sound"};
 
 // The formats whose files start with something of their own.
 std::optional<Format> format_of_start(base::Bytes bytes) {
@@ -45,7 +46,7 @@ std::optional<Format> format_of_start(base::Bytes bytes) {
     std::string_view bytes;
     Format format;
   };
-  constexpr std::array<Start, 13> kStarts = {{{{"\x1d\0\0\0", 4}, Format::kBsp},
+  constexpr std::array<Start, 14> kStarts = {{{{"\x1d\0\0\0", 4}, Format::kBsp},
                                               {"BSP2", Format::kBsp},
                                               {"2PSB", Format::kBsp},
                                               {"QLIT", Format::kLit},
@@ -56,6 +57,7 @@ std::optional<Format> format_of_start(base::Bytes bytes) {
                                               {"WAD3", Format::kWad3},
                                               {"IDPO", Format::kMdl},
                                               {"IDSP", Format::kSpr},
+                                              {"RIFF", Format::kWav},
                                               {{"\x06\0\0\0", 4}, Format::kProgs},
                                               {"{", Format::kEntities}}};
   const std::string_view text = base::as_text(bytes);
@@ -77,7 +79,7 @@ std::optional<Format> format_of_name(const std::filesystem::path& path, std::siz
     std::string_view text;
     Format format;
   };
-  constexpr std::array<Extension, 11> kExtensions = {{{".bsp", Format::kBsp},
+  constexpr std::array<Extension, 12> kExtensions = {{{".bsp", Format::kBsp},
                                                       {".lit", Format::kLit},
                                                       {".ent", Format::kEntities},
                                                       {".pak", Format::kPak},
@@ -87,7 +89,8 @@ std::optional<Format> format_of_name(const std::filesystem::path& path, std::siz
                                                       {".spr", Format::kSpr},
                                                       {".dem", Format::kDem},
                                                       {".map", Format::kMap},
-                                                      {".dat", Format::kProgs}}};
+                                                      {".dat", Format::kProgs},
+                                                      {".wav", Format::kWav}}};
   for (const Extension& known : kExtensions)
     if (extension == known.text) return known.format;
   return std::nullopt;
@@ -122,6 +125,8 @@ base::Result<Inspection> inspect_bytes(Format format, base::ByteVector bytes) {
       return inspect_spr(bytes);
     case Format::kProgs:
       return inspect_progs(bytes);
+    case Format::kWav:
+      return inspect_wav(bytes);
     case Format::kPak:
       break;
   }
@@ -152,7 +157,7 @@ base::Result<Inspection> inspect_content(const std::filesystem::path& path, Insp
   if (!format)
     return base::error(ErrorCode::kUnsupported,
                        "is of no known format; known are levels (.bsp), .map, .lit, .ent, .pak, .pk3, .wad, "
-                       ".mdl, .spr, .dem, .dat and "
+                       ".mdl, .spr, .dem, .dat, .wav and "
                        "pictures, palettes and colormaps (.lmp)");
   io_header["format"] = kFormatNames[static_cast<std::size_t>(*format)];
   return *format == Format::kPak ? inspect_pak(path) : inspect_bytes(*format, std::move(bytes));

@@ -29,6 +29,7 @@ base::Result<Inspection> inspect_colormap(base::Bytes bytes);
 base::Result<Inspection> inspect_dem(base::Bytes bytes);
 base::Result<Inspection> inspect_mdl(base::Bytes bytes);
 base::Result<Inspection> inspect_spr(base::Bytes bytes);
+base::Result<Inspection> inspect_wav(base::Bytes bytes);
 base::Result<Inspection> inspect_progs(base::Bytes bytes);
 
 // Any of them: the format is found from the file's first bytes, and where they say nothing (pictures,

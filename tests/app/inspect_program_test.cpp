@@ -13,6 +13,7 @@
 #include "formats/pk3.h"
 #include "formats/wad.h"
 #include "formats/wad3_texture.h"
+#include "formats/wav.h"
 #include "support/game_data.h"
 #include "support/progs_builder.h"
 #include "support/room_map.h"
@@ -58,6 +59,22 @@ TEST_F(InspectProgram, LevelsOfAllVersions) {
     EXPECT_EQ(object.at("BSPX lumps").at(0).at("name"), "RGBLIGHTING");
     EXPECT_TRUE(object.at("problems").empty()) << object.at("problems");
   }
+}
+
+TEST_F(InspectProgram, Sounds) {
+  formats::Wav wav{.frames_per_second = 11025, .channels = 2, .bits = 16, .samples = {}, .loop = {}};
+  wav.samples.assign(2 * 11025, 0);
+  wav.loop = formats::WavLoop{100, 200};
+  const json object = inspect("x.wav", formats::write_wav(wav));
+  EXPECT_EQ(object.at("format"), "sound");
+  EXPECT_EQ(object.at("frames a second"), 11025);
+  EXPECT_EQ(object.at("channels"), 2);
+  EXPECT_EQ(object.at("bits"), 16);
+  EXPECT_EQ(object.at("seconds"), 1.0);
+  EXPECT_EQ(object.at("loop").at("from frame"), 100);
+  EXPECT_EQ(object.at("loop").at("to frame"), 200);
+  EXPECT_EQ(object.at("problems"),
+            json::array({"it is silent", "several channels: the game folds them into one"}));
 }
 
 TEST_F(InspectProgram, ProblemsOfALevelThatCanBeDrawn) {

@@ -340,6 +340,23 @@ TEST(DemoSession, ListenersHearWhatIsPlayed) {
   EXPECT_EQ(temp_entities, 2 * all);
 }
 
+// The made game has no sounds; that they were asked for is told by the entities and places they start at.
+TEST(DemoSession, SoundsOfWhatIsSkippedAreNotHeard) {
+  Played played(made_game().path(), made_bytes());
+  DemoSession& session = played.session;
+  PresentationSettings settings;
+  settings.sound = true;
+  audio::SoundEvents& events = played.presentation.audio_scene().events();
+  ASSERT_TRUE(session.advance(0, settings).value());
+  events.clear();
+  for (double second = 0; second < 1.5; second += 0.02) ASSERT_TRUE(session.advance(0.02, settings).value());
+  EXPECT_FALSE(events.started.empty()) << "the shot";
+  events.clear();
+  ASSERT_TRUE(session.seek(session.begin_s() + 5.5, settings).value());
+  EXPECT_TRUE(events.begins_anew);
+  EXPECT_TRUE(events.started.empty()) << "the explosion on the way";
+}
+
 TEST(DemoSession, SeeksAcrossLevels) {
   const base::ByteVector bytes = made_three_times();
   Played played(made_game().path(), bytes);
