@@ -9,6 +9,8 @@ find_package(nlohmann_json REQUIRED)
 pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
 pkg_check_modules(sdl2 REQUIRED IMPORTED_TARGET sdl2)
+# -D_REENTRANT, which means nothing to today's C libraries, would do without the precompiled headers.
+set_target_properties(PkgConfig::sdl2 PROPERTIES INTERFACE_COMPILE_OPTIONS "")
 pkg_check_modules(sndfile REQUIRED IMPORTED_TARGET sndfile)
 pkg_check_modules(samplerate REQUIRED IMPORTED_TARGET samplerate)
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/check.h"
+#include "client/demo_index.h"
 #include "client/demo_player.h"
 
 using namespace temblor;
@@ -66,6 +67,25 @@ void play_frames(client::DemoPlayer player, const client::DemoLength& length) {
   check_end(player);
 }
 
+// From every place that is kept, what follows is what followed in the first reading.
+void play_from_places(client::DemoPlayer player, const client::DemoLength& length) {
+  const auto index = client::DemoIndex::make(player);
+  CHECK(index.ok() && index->length().packets == length.packets);
+  CHECK(index->packet_times_s().size() == length.packets);
+  for (int i = 0; i <= 8; ++i) {
+    const double time_s = std::lerp(length.first_time_s, length.last_time_s, i / 8.0);
+    for (const client::DemoIndex::Entry* entry :
+         {&index->entry_before(time_s, 1), &index->level_before(time_s)}) {
+      CHECK(entry->time_s <= time_s);
+      player.return_to(entry->place);
+      CHECK(player.packet_time_s() == entry->time_s);
+      const auto advanced = player.advance_to(time_s);
+      CHECK(advanced.ok() && *advanced && player.packet_time_s() >= time_s);
+      check_moment(player, {});
+    }
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -79,5 +99,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   CHECK(packets == (length.ok() ? length->packets : 0));
   if (!length.ok()) return 0;
   play_frames(client::DemoPlayer::open(copy, "fuzz.dem").value(), *length);
+  play_from_places(client::DemoPlayer::open(copy, "fuzz.dem").value(), *length);
   return 0;
 }

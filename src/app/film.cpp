@@ -36,11 +36,12 @@ base::Result<OutputKind> output_kind(const std::string& name) {
   const std::string lower = base::to_lower(name);
   if (lower.ends_with(".mp4")) return OutputKind::kMp4;
   if (lower.ends_with(".y4m")) return OutputKind::kY4m;
+  if (lower.ends_with(".wav")) return OutputKind::kSound;
   if (!lower.ends_with(".png"))
     return base::error(
         ErrorCode::kUsage,
         "-o {}: the name ends in .png (a picture; with %05d in it, one for each frame), .mp4 or "
-        ".y4m (films)",
+        ".y4m (films), or .wav (a recording's sound)",
         name);
   TRY_STATUS(numbered_name(name, 0));
   return is_numbered(name) ? OutputKind::kNumberedPictures : OutputKind::kPicture;
@@ -49,6 +50,7 @@ base::Result<OutputKind> output_kind(const std::string& name) {
 base::Result<Film> Film::open(const std::string& name, const FilmOptions& options,
                               const formats::Palette& palette) {
   TRY(const OutputKind kind, output_kind(name));
+  CHECK(kind != OutputKind::kSound, "{}", name);
   Film film(name, kind, options, palette);
   if (kind == OutputKind::kMp4) TRY_STATUS(film.start_ffmpeg());
   if (kind == OutputKind::kY4m) TRY_STATUS(film.start_y4m());
@@ -56,13 +58,27 @@ base::Result<Film> Film::open(const std::string& name, const FilmOptions& option
 }
 
 base::Status Film::start_ffmpeg() {
-  base::Result<ChildProcess> process = ChildProcess::start(
-      {"ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pixel_format", "bgr0", "-video_size",
-       fmt::format("{}x{}", options_.size.width, options_.size.height), "-framerate",
-       std::to_string(options_.frames_per_second), "-i", "pipe:0",
-       // Its usual colour format holds one colour for 2 x 2 pixels, and so wants even sides.
-       "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-crf", "18", "-movflags", "+faststart",
-       fmt::format("file:{}", name_)});
+  std::vector<std::string> words = {"ffmpeg",
+                                    "-y",
+                                    "-loglevel",
+                                    "error",
+                                    "-f",
+                                    "rawvideo",
+                                    "-pixel_format",
+                                    "bgr0",
+                                    "-video_size",
+                                    fmt::format("{}x{}", options_.size.width, options_.size.height),
+                                    "-framerate",
+                                    std::to_string(options_.frames_per_second),
+                                    "-i",
+                                    "pipe:0"};
+  if (!options_.sound_path.empty())
+    words.insert(words.end(),
+                 {"-i", fmt::format("file:{}", options_.sound_path), "-c:a", "aac", "-b:a", "192k"});
+  // Its usual colour format holds one colour for 2 x 2 pixels, and so wants even sides.
+  words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-crf", "18",
+                             "-movflags", "+faststart", fmt::format("file:{}", name_)});
+  base::Result<ChildProcess> process = ChildProcess::start(words);
   if (!process.ok()) {
     base::Error error = process.error();
     error.file = name_;

@@ -1,4 +1,4 @@
-// Frames to files: a PNG each, or a film (.mp4 through the ffmpeg program, .y4m by ourselves).
+// Frames to files: a PNG each, or a film (.mp4 through the ffmpeg program, with sound; .y4m by ourselves).
 #pragma once
 
 #include <cstdint>
@@ -18,19 +18,21 @@
 namespace temblor::app {
 
 // What the name asks for; kUsage for one that asks for none of them.
-enum class OutputKind { kPicture, kNumberedPictures, kMp4, kY4m };
+enum class OutputKind { kPicture, kNumberedPictures, kMp4, kY4m, kSound };
 base::Result<OutputKind> output_kind(const std::string& name);
 
 struct FilmOptions {
   FrameSize size;
   int frames_per_second = 30;
   std::size_t first_number = 0;  // of numbered pictures
+  // A WAV file with the film's sound, for kMp4; there until finish(). Empty: a silent film.
+  std::string sound_path{};
 };
 
 // A file that takes frame after frame. Only what finish() was called for is sure to be whole.
 class Film {
  public:
-  // `name` as output_kind() takes it.
+  // `name` as output_kind() takes it, but no sound.
   static base::Result<Film> open(const std::string& name, const FilmOptions& options,
                                  const formats::Palette& palette);
 

@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -38,12 +37,16 @@ bool is_without_data(const GameFolders& folders) {
 
 }  // namespace
 
-base::Result<vfs::FileSystem> open_files(const GameFolders& folders) {
+base::Result<std::filesystem::path> find_base_folder(const GameFolders& folders) {
   if (is_without_data(folders))
     return base::error(base::ErrorCode::kNotFound,
                        "no game data: the current folder holds no id1; name the folder that does with "
                        "--basedir DIR (without --map and --demo, the level made in code needs none)");
-  const std::filesystem::path base_folder = folders.base_folder.empty() ? "." : folders.base_folder;
+  return std::filesystem::path(folders.base_folder.empty() ? "." : folders.base_folder);
+}
+
+base::Result<vfs::FileSystem> open_files(const GameFolders& folders) {
+  TRY(const std::filesystem::path base_folder, find_base_folder(folders));
   return vfs::FileSystem::open(base_folder, folders.games);
 }
 

@@ -1,6 +1,7 @@
 // Opens the game folders that the command line names, and finds names like a mistyped one.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,8 @@
 
 namespace temblor::app {
 
+// The folder that --basedir names, or the current one where it holds id1; else fails, saying what to do.
+base::Result<std::filesystem::path> find_base_folder(const GameFolders& folders);
 base::Result<vfs::FileSystem> open_files(const GameFolders& folders);
 
 // The palette that the level made in code is painted with, and what follows from it.

@@ -5,16 +5,16 @@
 #include <CLI/Formatter.hpp>
 
 #include "app/bench_command.h"
-#include "app/client_variables.h"
 #include "app/command_line.h"
 #include "app/compile_command.h"
 #include "app/diagnostics.h"
 #include "app/inspect_command.h"
+#include "app/play_command.h"
 #include "app/render_command.h"
-#include "app/render_settings.h"
 #include "app/serve_command.h"
 #include "app/settings_command.h"
 #include "command/variables.h"
+#include "host/host_variables.h"
 
 namespace temblor::app {
 namespace {
@@ -23,6 +23,7 @@ constexpr const char* kHelpFooter =
     R"(temblor COMMAND --help says more about a command.
 
 Examples:
+  temblor --basedir quake play
   temblor --basedir quake render --map start -o start.png
   temblor --basedir quake --game hipnotic bench --map hip1m1
   temblor --set r_mip_rule=stock --show mips render -o mips.png
@@ -34,11 +35,13 @@ struct Commands {
   BenchOptions bench;
   InspectOptions inspect;
   CompileCommandOptions compile;
+  PlayOptions play;
   ServeOptions serve;
   CLI::App* render_command = nullptr;
   CLI::App* bench_command = nullptr;
   CLI::App* inspect_command = nullptr;
   CLI::App* compile_command = nullptr;
+  CLI::App* play_command = nullptr;
   CLI::App* serve_command = nullptr;
   CLI::App* settings_command = nullptr;
 };
@@ -53,29 +56,27 @@ void describe_command_line(CLI::App& program, Commands& io_commands) {
   io_commands.bench_command = add_bench_command(program, io_commands.bench);
   io_commands.inspect_command = add_inspect_command(program, io_commands.inspect);
   io_commands.compile_command = add_compile_command(program, io_commands.compile);
+  io_commands.play_command = add_play_command(program, io_commands.play);
   io_commands.serve_command = add_serve_command(program, io_commands.serve);
   io_commands.settings_command = add_settings_command(program);
 }
 
 base::Status run(const Commands& commands) {
   command::Variables variables;
-  const RenderSettings render_settings(variables);
-  const ClientVariables client_variables(variables);
-  const server::ServerVariables server_variables(variables);
+  const host::HostVariables settings(variables);
   if (commands.render_command->parsed()) {
     TRY_STATUS(apply_options(commands.common, commands.render.frame.threads, variables));
-    return run_render(commands.render, commands.common.folders, client_variables.read(variables),
-                      render_settings.read(variables));
+    return run_render(commands.render, commands.common.folders, settings.presentation(), settings.render());
   }
   if (commands.bench_command->parsed()) {
     TRY_STATUS(apply_options(commands.common, commands.bench.frame.threads, variables));
-    return run_bench(commands.bench, commands.common.folders, client_variables.read(variables),
-                     render_settings.read(variables));
+    return run_bench(commands.bench, commands.common.folders, settings.presentation(), settings.render());
   }
   TRY_STATUS(apply_options(commands.common, std::nullopt, variables));
   if (commands.inspect_command->parsed()) return run_inspect(commands.inspect);
   if (commands.compile_command->parsed()) return run_compile(commands.compile, commands.common.folders);
-  if (commands.serve_command->parsed()) return run_serve(commands.serve, commands.common, server_variables);
+  if (commands.play_command->parsed()) return run_play(commands.play, commands.common, settings);
+  if (commands.serve_command->parsed()) return run_serve(commands.serve, commands.common, settings.server());
   run_settings(variables);
   return base::Ok{};
 }

@@ -28,6 +28,7 @@ Examples:
   temblor --basedir quake render --map start --frames 360 --turn 1 -o turn.mp4
   temblor --basedir quake render --demo demo1 --size 1920x1080 --fps 60 -o demo1.mp4
   temblor --basedir quake render --demo demo1 --frames 300:360 -o demo1-%05d.png
+  temblor --basedir quake render --demo demo1 -o demo1.wav
   temblor render -o small_level.png)";
 
 base::Result<render::Projection> parse_projection(std::string_view text) {
@@ -61,6 +62,11 @@ base::Status check_names(const RenderOptions& options) {
         "-o {}: more than one frame needs a number in the name, as in turn-%05d.png, or a film, "
         "as in turn.mp4; or choose one frame with --frames",
         options.out);
+  if (kind == OutputKind::kSound && options.demo.empty())
+    return base::error(ErrorCode::kUsage, "-o {}: sound is that of a recording; name one with --demo",
+                       options.out);
+  if (kind == OutputKind::kSound && options.no_sound)
+    return base::error(ErrorCode::kUsage, "-o {}: with --nosound there is nothing to write", options.out);
   return base::Ok{};
 }
 
@@ -122,7 +128,10 @@ CLI::App* add_render_command(CLI::App& program, RenderOptions& io_options) {
   command->add_option("--turn", io_options.turn_deg, "Turn to the left from one picture to the next")
       ->type_name("DEGREES");
   command->add_flag("--stats", io_options.stats, "Prints what each frame took");
-  command->add_option("-o,--output", io_options.out, "x.png, x-%05d.png (a picture a frame), x.mp4 or x.y4m")
+  command->add_flag("--nosound", io_options.no_sound, "A recording's film is silent");
+  command
+      ->add_option("-o,--output", io_options.out,
+                   "x.png, x-%05d.png (a picture a frame), x.mp4, x.y4m, or x.wav (a recording's sound)")
       ->type_name("OUT")
       ->required();
   command->footer(kHelpFooter);

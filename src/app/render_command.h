@@ -29,6 +29,7 @@ struct RenderOptions {
   int frames_per_second = 30;
   double turn_deg = 0;  // yaw from one frame to the next
   bool stats = false;
+  bool no_sound = false;
   std::string out;
 };
 

@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "app/demo_loading.h"
 #include "app/demo_run.h"
+#include "app/demo_sound.h"
 #include "app/diagnostics.h"
 #include "app/film.h"
 #include "app/frame_report.h"
 #include "app/progress.h"
+#include "app/sound_file.h"
 
 namespace temblor::app {
 namespace {
@@ -46,6 +49,35 @@ base::Status film_frames(DemoRun& io_run, const RenderOptions& options, double s
   return base::Ok{};
 }
 
+SoundSpan sound_of(const client::DemoLength& length, FrameRange frames, int frames_per_second) {
+  const auto time_s = [&](std::size_t frame) {
+    return length.first_time_s + static_cast<double>(frame) / frames_per_second;
+  };
+  return {length.first_time_s, time_s(frames.first), time_s(frames.end)};
+}
+
+// Plays and draws into `options.out`; a film that can hold it gets the sound too, mixed before.
+base::Status make_film(const LoadedDemo& demo, const RenderOptions& options, const SoundSpan& span,
+                       FrameRange frames, const client::PresentationSettings& presentation,
+                       const render::Settings& settings) {
+  TRY(const OutputKind kind, output_kind(options.out));
+  TRY(DemoRun run, DemoRun::start(demo, options.frame, presentation, settings));
+  std::optional<TemporaryFile> sound;
+  FilmOptions film_options{options.frame.size, options.frames_per_second, frames.first};
+  if (kind == OutputKind::kMp4 && !options.no_sound) {
+    TRY(sound, TemporaryFile::make(".wav"));
+    film_options.sound_path = sound->path();
+    const base::Status mixed = write_demo_sound(demo, presentation, span, sound->path(), NoteKinds::kOfSound);
+    // A fault of the recording ends the pictures at the same place, and is told then.
+    if (!mixed.ok() && mixed.error().file == sound->path()) return mixed;
+  }
+  TRY(Film film, Film::open(options.out, film_options, demo.look.palette));
+  base::Status played = film_frames(run, options, span.recording_begins_s, frames, film);
+  // What came before a fault is kept.
+  TRY_STATUS(film.finish());
+  return played;
+}
+
 }  // namespace
 
 base::Status render_demo(const RenderOptions& options, const GameFolders& folders,
@@ -58,13 +90,12 @@ base::Status render_demo(const RenderOptions& options, const GameFolders& folder
   if (first >= end)
     return base::error(base::ErrorCode::kUsage, "--frames: {} has frames 0 to {} at {} a second", demo.name,
                        frame_count - 1, options.frames_per_second);
-  TRY(DemoRun run, DemoRun::start(demo, options.frame, presentation, settings));
-  TRY(Film film,
-      Film::open(options.out, {options.frame.size, options.frames_per_second, first}, demo.look.palette));
-  base::Status played = film_frames(run, options, length.first_time_s, {first, end}, film);
-  // What came before a fault is kept.
-  TRY_STATUS(film.finish());
-  if (!played.ok()) return played;
+  TRY(const OutputKind kind, output_kind(options.out));
+  const SoundSpan span = sound_of(length, {first, end}, options.frames_per_second);
+  if (kind == OutputKind::kSound)
+    TRY_STATUS(write_demo_sound(demo, presentation, span, options.out, NoteKinds::kAll));
+  else
+    TRY_STATUS(make_film(demo, options, span, {first, end}, presentation, settings));
   if (end < frame_count) return base::Ok{};
   if (length.cut_short)
     print_note(fmt::format("{}: the recording is cut off in its last message", demo.name));

@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
-#include <chrono>
 #include <cstdio>
-#include <random>
 
 #include "app/diagnostics.h"
 #include "app/file_watch.h"
 #include "app/game_files.h"
 #include "app/interrupt.h"
 #include "app/line_input.h"
+#include "app/system.h"
 #include "app/written_file.h"
 #include "assets/library.h"
 #include "net/server_endpoint.h"
@@ -34,18 +33,9 @@ constexpr const char* kConfiguration = "server.cfg";
 constexpr double kLookAtFilesEvery_s = 0.5;
 constexpr std::uint64_t kMaxConfigurationBytes = 1 << 20;
 
-double clock_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-std::uint64_t any_seed() {
-  return static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
-}
-
 net::ServerEndpointSettings wire_settings() {
   net::ServerEndpointSettings settings;
-  std::random_device device;
-  for (auto& word : settings.secret) word = std::uint64_t{device()} << 32 | device();
+  settings.secret = any_secret();
   return settings;
 }
 

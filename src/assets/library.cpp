@@ -48,6 +48,26 @@ base::Result<formats::Spr> Library::sprite(std::string_view path) const {
   return read_as(files_, path, formats::read_spr);
 }
 
+base::Result<formats::Wav> Library::sound(std::string_view name) const {
+  return read_as(files_, fmt::format("sound/{}", name), formats::read_wav);
+}
+
+base::Result<MusicFile> Library::music(int track) const {
+  const std::string stem = fmt::format("music/track{:02}", track);
+  std::string best;
+  for (const char* suffix : {".ogg", ".opus", ".flac", ".mp3", ".wav"}) {
+    const std::string name = stem + suffix;
+    if (files_.contains(name) && (best.empty() || files_.game_of(name) > files_.game_of(best))) best = name;
+  }
+  if (best.empty()) {
+    base::Error error = base::error(base::ErrorCode::kNotFound, "there is no such file in music/");
+    error.file = stem;
+    return error;
+  }
+  TRY(base::ByteVector bytes, files_.read(best));
+  return MusicFile{files_.describe(best), std::move(bytes)};
+}
+
 std::array<formats::Image, 6> Library::skybox(std::string_view name,
                                               std::vector<std::string>& io_notes) const {
   constexpr std::array<const char*, 6> kSuffixes = {"rt", "bk", "lf", "ft", "up", "dn"};

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,9 +13,16 @@
 #include "formats/image.h"
 #include "formats/mdl.h"
 #include "formats/spr.h"
+#include "formats/wav.h"
 #include "vfs/file_system.h"
 
 namespace temblor::assets {
+
+// Undecoded.
+struct MusicFile {
+  std::string name;  // for messages: where it was found
+  base::ByteVector bytes;
+};
 
 class Library {
  public:
@@ -27,6 +35,11 @@ class Library {
   // gfx/env/NAMErt.tga and so on, or .png: right, back, left, front, up, down; the names' right is +x. Sides
   // that are missing or damaged are empty, with a line in `io_notes` for each.
   std::array<formats::Image, 6> skybox(std::string_view name, std::vector<std::string>& io_notes) const;
+  // `name` without its folder, as game code gives it: "weapons/rocket1i.wav" is sound/weapons/rocket1i.wav.
+  base::Result<formats::Wav> sound(std::string_view name) const;
+  // music/trackNN.ogg, or .opus, .flac, .mp3, .wav: the first there is, of the highest game folder. kNotFound
+  // where there is none, which is common.
+  base::Result<MusicFile> music(int track) const;
   base::Result<Look> look() const { return load_look(files_); }
   Pictures pictures(std::vector<std::string>& io_notes) const { return Pictures::load(files_, io_notes); }
   const vfs::FileSystem& files() const { return files_; }

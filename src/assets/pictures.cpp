@@ -102,6 +102,7 @@ Pictures Pictures::load(const vfs::FileSystem& files, std::vector<std::string>& 
   loaded.characters_ = characters ? std::move(*characters) : make_checker(kCharactersSide, kCharactersSide);
   stand_in(stock_wad_pictures(), loaded.pictures_, missing);
   stand_in(stock_picture_files(), loaded.pictures_, missing);
+  loaded.stand_ins_.insert(missing.begin(), missing.end());
 
   std::string note;
   if (!missing.empty()) note = fmt::format("pictures drawn as a checker: {}", first_few(missing));
@@ -115,6 +116,10 @@ const formats::Picture* Pictures::find(std::string_view name) const {
   if (found != pictures_.end()) return &found->second;
   const auto lower = pictures_.find(base::to_lower(name));
   return lower == pictures_.end() ? nullptr : &lower->second;
+}
+
+const formats::Picture* Pictures::find_real(std::string_view name) const {
+  return stand_ins_.contains(base::to_lower(name)) ? nullptr : find(name);
 }
 
 }  // namespace temblor::assets

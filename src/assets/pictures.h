@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,11 +21,14 @@ class Pictures {
   // "sbar", "num_0" (gfx.wad), "gfx/complete.lmp"; case does not matter. Null only for a name that neither
   // these files nor a stock game have. Valid while this lives, also when it is moved.
   const formats::Picture* find(std::string_view name) const;
+  // The same, but null too where the picture would be a stand-in.
+  const formats::Picture* find_real(std::string_view name) const;
   // 16 rows of 16 characters of 8 x 8 pixels.
   const formats::Picture& characters() const { return characters_; }
 
  private:
   std::map<std::string, formats::Picture, std::less<>> pictures_;  // by name in lower case
+  std::set<std::string, std::less<>> stand_ins_;                   // names, as in pictures_
   formats::Picture characters_;
 };
 

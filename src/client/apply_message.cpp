@@ -194,6 +194,7 @@ struct ClientState::Apply {
   }
   base::Status operator()(const net::SetAngle& angle) {
     game.set_angles_deg = angle.angles_deg;
+    ++game.turns;
     return base::Ok{};
   }
   base::Status operator()(const net::Damage& damage) {

@@ -114,8 +114,7 @@ std::string beginning_of(std::string_view commands, Key key) {
 
 }  // namespace
 
-void Bindings::set_defaults() {
-  unbind_all();
+void Bindings::add_defaults() {
   for (const auto& [name, commands] : kDefaults) {
     const std::optional<Key> key = find_key(name);
     CHECK(key.has_value(), "{}", name);

@@ -15,8 +15,8 @@ namespace temblor::client {
 
 class Bindings {
  public:
-  // WASD, the mouse, the stock keys and a gamepad.
-  void set_defaults();
+  // WASD, the mouse, the stock keys and a gamepad; other keys stay as they are.
+  void add_defaults();
   // Empty: the key does nothing.
   void bind(platform::Key key, std::string_view commands);
   void unbind_all();

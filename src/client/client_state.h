@@ -67,7 +67,8 @@ struct Game {
   std::array<std::int32_t, net::kStats> stats{};
   net::ClientData data;  // of the last update
   world::LightStylePatterns light_styles;
-  math::Vec3 set_angles_deg{0.0f};
+  math::Vec3 set_angles_deg{0.0f};  // as the server last turned the player
+  std::uint32_t turns = 0;          // how often it did
   bool paused = false;
   Ending ending = Ending::kNone;
   double ending_since_s = 0;  // when the ending began: play time stands still

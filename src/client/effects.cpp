@@ -99,7 +99,7 @@ struct Effects::State {
 
   void clear();
   void happen(const Events& events, const Moment& moment, bool leave_marks);
-  EffectRandom next_chance() { return EffectRandom(base::hash_with(seed, ++event_count)); }
+  EffectRandom next_chance() { return EffectRandom(base::hash_with(seed, ++count.events)); }
   void begin(const TempEntity& what, const Moment& moment);
   void begin(const net::Particles& what, const Moment& moment);
   void mark(std::optional<Hit> hit, const Moment& moment);
@@ -110,14 +110,14 @@ struct Effects::State {
 
   std::uint32_t seed;
   // Each event has a chance of its own, which does not depend on what moments were looked at before it.
-  std::uint32_t event_count = 0;
+  // Marks' is another: with them or without, particles fly alike.
+  EffectCounts count;
   ParticlePool particles;
   Trails trails;
   DynamicLights lights;
   Beams beams;
   HitMarks hit_marks;
   render::MarkSet marks;
-  std::uint32_t mark_count = 0;
   std::optional<double> last_time_s;
 };
 
@@ -187,8 +187,7 @@ void Effects::State::begin(const TempEntity& what, const Moment& moment) {
 
 void Effects::State::mark(std::optional<Hit> hit, const Moment& moment) {
   if (!hit) return;
-  // Marks' chance is their own: with them or without, particles fly alike.
-  hit->seed = static_cast<std::uint32_t>(base::mixed_bits(++mark_count));
+  hit->seed = static_cast<std::uint32_t>(base::mixed_bits(++count.hits));
   hit_marks.leave(moment.level, *hit, marks);
 }
 
@@ -198,6 +197,7 @@ void Effects::State::go_on(const Moment& moment) {
     const std::uint32_t flags =
         entity.model < moment.model_flags.size() ? moment.model_flags[entity.model] : 0;
     const std::optional<TrailKind> trail = trail_kind(flags);
+    if (trail && entity.has_come) trails.begin(entity.number, entity.origin_world);
     if (trail) leave_trail(entity, *trail, moment.time_s);
     if (entity.effects & kEffectBrightField) show_bright_field(particles, moment.time_s, entity.origin_world);
     shine(entity, trail == TrailKind::kRocket, moment.time_s);
@@ -251,6 +251,17 @@ Effects::~Effects() = default;
 
 void Effects::begin_level() {
   state_->clear();
+}
+
+void Effects::resume(const EffectCounts& before) {
+  state_->clear();
+  state_->count = before;
+}
+
+void Effects::count(const Events& events, EffectCounts& io_counts) {
+  io_counts.events += static_cast<std::uint32_t>(events.temp_entities.size() + events.particles.size());
+  for (const TempEntity& what : events.temp_entities) io_counts.hits += hit_of(what) ? 1 : 0;
+  for (const net::Particles& what : events.particles) io_counts.hits += hit_of(what) ? 1 : 0;
 }
 
 void Effects::advance(const Events& events, const Moment& moment, const EffectsSettings& settings) {

@@ -32,6 +32,11 @@ struct Moment {
 // The yaw of models that turn by themselves (formats::kMdlRotate), 0 to 360.
 float rotated_yaw_deg(double time_s);
 
+// How much has happened that has a chance of its own.
+struct EffectCounts {
+  std::uint32_t events = 0, hits = 0;
+};
+
 class Effects {
  public:
   // The same seed and the same input give the same effects.
@@ -39,6 +44,9 @@ class Effects {
   ~Effects();
 
   void begin_level();
+  // The same, and chance is what it would be after that much has happened: for a recording that is sought in.
+  void resume(const EffectCounts& before);
+  static void count(const Events& events, EffectCounts& io_counts);
   // What happened, then what goes on, up to `moment`. Time must not run backwards; if it does (a demo
   // rewound), all that was under way ends. When it stands still, nothing goes on. Once warm it asks the heap
   // for nothing, but for the first mark on a face.

@@ -138,6 +138,7 @@ SeenEntity EntityTable::seen(std::uint16_t number, double time_s, const Viewer& 
   seen.origin_world = place.origin_world;
   seen.angles_deg = place.angles_deg;
   const bool came_from_elsewhere = entity.asked + 1 == asked_ && !entity.jumped_since_asked;
+  seen.has_come = !came_from_elsewhere;
   seen.previous_origin_world = came_from_elsewhere ? entity.origin_when_asked_world : place.origin_world;
   set_frames(seen, frames_at(entity.frames, time_s, seen.model, settings));
   seen.effects = entity.effects;

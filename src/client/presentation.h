@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "assets/library.h"
+#include "audio/scene.h"
 #include "base/result.h"
+#include "client/audio_scene.h"
 #include "client/client_state.h"
 #include "client/effects.h"
 #include "client/hud.h"
@@ -35,6 +37,10 @@ struct PresentationSettings {
   // Of liquids whose level says nothing of its own.
   render::LiquidAlpha liquid_alpha;
   bool fog = true, skybox = true;
+  bool sound = false;  // loads sounds and fills audio_scene(); followed from the next level on
+  audio::Volumes volumes;
+  // Where to look from instead of the player's eyes.
+  std::optional<render::Camera> camera;
 };
 
 class Presentation {
@@ -53,6 +59,13 @@ class Presentation {
   // From the next call on the player is shown where `prediction` has him, after its begin_frame(); null:
   // where the server has. It must live until then.
   void follow(Prediction* prediction) { prediction_ = prediction; }
+  // The game's 2-D pictures; for menus and the console.
+  const assets::Pictures& pictures() const { return pictures_; }
+  // The state has been put to another moment of its recording, `before` which that much had happened: all
+  // that was under way ends, and time goes on from there. Loads the level if it is another one; what happens
+  // in this moment is still to be acted on.
+  base::Status resume(ClientState& io_state, const EffectCounts& before,
+                      const PresentationSettings& settings);
   // Whether there is a level to draw.
   bool has_level() const { return models_.has_value(); }
 
@@ -61,11 +74,17 @@ class Presentation {
   const render::DrawList& draw_list(const ClientState& state, int width, int height,
                                     const PresentationSettings& settings);
 
+  // What is heard, up to the last advance() or pass(). Its events are for whoever owns the mixer to take and
+  // clear.
+  AudioScene& audio_scene() { return audio_scene_; }
+
   // What was made do with since the last time it was asked for, a line each.
-  std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
+  std::vector<std::string> take_notes();
 
  private:
   base::Status begin_level(const Game& game, const PresentationSettings& settings);
+  void begin_sound(const Game& game, const PresentationSettings& settings);
+  void forget_past();
   struct Sight {
     std::span<const SeenEntity> entities;
     PlayerView view;
@@ -77,14 +96,18 @@ class Presentation {
   void apply_environment(const Game& game, double time_s, const PresentationSettings& settings);
 
   const assets::Library& library_;
+  std::vector<std::string> notes_;  // the pictures' too: made before them
   assets::Pictures pictures_;
   std::optional<ModelTable> models_;
+  std::vector<std::string> model_names_;  // of those, as the server named them
   ClientSettings client_settings_;
   Effects effects_;
   View view_;
   Prediction* prediction_ = nullptr;
   Hud hud_;
   SceneBuilder scene_builder_;
+  AudioScene audio_scene_;
+  bool has_sound_ = false;  // of this level
   LevelEnvironment environment_;
   std::string skybox_name_;
   render::Skybox skybox_;
@@ -94,7 +117,6 @@ class Presentation {
   std::uint32_t frame_number_ = 0;
   render::DrawList draw_list_;
   double time_s_ = 0;
-  std::vector<std::string> notes_;
 };
 
 }  // namespace temblor::client

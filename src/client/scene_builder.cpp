@@ -59,7 +59,8 @@ void SceneBuilder::add_sprite(const SceneInput& input, const SeenEntity& entity,
 
 void SceneBuilder::add_entity(const SceneInput& input, const SeenEntity& entity,
                               std::vector<std::string>& io_notes) {
-  if (entity.model == 0 || entity.alpha <= 0 || entity.number == input.game.view_entity) return;
+  const bool is_player = entity.number == input.game.view_entity;
+  if (entity.model == 0 || entity.alpha <= 0 || (is_player && !input.show_player)) return;
   if (!input.models.has(entity.model) &&
       std::find(noted_.begin(), noted_.end(), entity.model) == noted_.end()) {
     noted_.push_back(entity.model);

@@ -22,13 +22,14 @@ struct SceneInput {
   const PlayerView& view;
   FrameBlend weapon_frame;
   double time_s;
-  bool show_weapon = true;  // r_drawviewmodel
+  bool show_weapon = true;   // r_drawviewmodel
+  bool show_player = false;  // his own body, which stands around the eye otherwise
 };
 
 // Keeps the lists that a Scene refers to.
 class SceneBuilder {
  public:
-  // Valid until the next call, and while the input's parts live. The player's own body is left out. Models
+  // Valid until the next call, and while the input's parts live. Models
   // that the server never named are drawn as stand-ins and noted once each.
   render::Scene build(const SceneInput& input, std::vector<std::string>& io_notes);
 

@@ -33,6 +33,7 @@ struct SeenEntity {
   // Where it was when it was last asked for; origin_world when it has just come or jumped, so that no trail
   // leads there.
   math::Vec3 previous_origin_world{0.0f};
+  bool has_come = false;                       // since it was last asked for, or jumped
   std::uint16_t from_frame = 0, to_frame = 0;  // see FrameBlend
   float blend = 0;                             // 0: from_frame, 1: to_frame
   std::uint8_t skin = 0;

@@ -82,6 +82,12 @@ Trails::Carried& Trails::carried(std::uint32_t entity) {
   return carried_[entity];
 }
 
+void Trails::begin(std::uint32_t entity, const math::Vec3& origin_world) {
+  std::uint64_t hash = base::hash_with(seed_, entity);
+  for (int axis = 0; axis < 3; ++axis) hash = base::hash_with(hash, base::bits_of(origin_world[axis]));
+  carried(entity) = {EffectRandom(hash)};
+}
+
 void Trails::leave(const TrailPiece& piece, ParticlePool& io_pool) {
   const math::Vec3d from(piece.from_world), way = math::Vec3d(piece.to_world) - from;
   const double length = glm::length(way);

@@ -1,8 +1,8 @@
 // Trails: particles left along the way of rockets, grenades, gibs and spikes.
 //
 // One for every so many units of way, whatever pieces the way comes in: what is left of a piece is carried
-// over to the next. Each is as old as the time since its place was passed. Every entity's trail has a chance
-// of its own.
+// over to the next. Each is as old as the time since its place was passed. Every trail has a chance of its
+// own, by which entity leaves it and where that came from, and by nothing that was before.
 #pragma once
 
 #include <cstdint>
@@ -41,6 +41,8 @@ class Trails {
   explicit Trails(std::uint32_t seed) : seed_(seed) {}
 
   void clear();
+  // The entity has come there out of nowhere: what it leaves from there on is another trail.
+  void begin(std::uint32_t entity, const math::Vec3& origin_world);
   void leave(const TrailPiece& piece, ParticlePool& io_pool);
 
  private:

@@ -40,6 +40,17 @@ bool grows(const math::Vec3& now, const math::Vec3& before) {
 
 }  // namespace
 
+PlayerView view_from(const render::Camera& camera, const world::Level& level, const ViewSettings& settings) {
+  PlayerView view;
+  view.camera = camera;
+  view.leaf = world::find_leaf(level, camera.origin_world);
+  view.contents = level.leaf(view.leaf).contents;
+  view.underwater = is_liquid(view.contents);
+  view.tint = scaled(contents_tint(view.contents), settings.contents_tint);
+  view.show_weapon = false;
+  return view;
+}
+
 PlayerView View::advance(const Game& game, const Events& events, const ViewMoment& moment,
                          const ViewSettings& settings) {
   follow(game, events, moment);
@@ -49,7 +60,8 @@ PlayerView View::advance(const Game& game, const Events& events, const ViewMomen
     look_on(moment, view);
   else
     look_out(game, moment, settings, view);
-  view.contents = world::point_contents(moment.level, view.camera.origin_world);
+  view.leaf = world::find_leaf(moment.level, view.camera.origin_world);
+  view.contents = moment.level.leaf(view.leaf).contents;
   view.underwater = is_liquid(view.contents);
   view.tint = tint(game, view.contents, settings);
   return view;

@@ -43,11 +43,15 @@ struct PlayerView {
   render::Camera camera;
   render::Tint tint;
   bool underwater = false;
+  world::LeafIndex leaf{};                             // that the eye is in
   world::Contents contents = world::Contents::kEmpty;  // at the eye
   bool show_weapon = true;
   math::Vec3 weapon_origin_world{0.0f};
   math::Vec3 weapon_angles_deg{0.0f};  // pitch is positive upwards, as alias models have it
 };
+
+// What is to be seen from anywhere else, by nobody.
+PlayerView view_from(const render::Camera& camera, const world::Level& level, const ViewSettings& settings);
 
 class View {
  public:

@@ -14,14 +14,29 @@ Console::Console(Variables& io_variables, Output output)
     : variables_(io_variables), output_(std::move(output)) {
   CHECK(output_ != nullptr);
   add_built_in_commands();
+  add_variable_commands();
+  add_list_commands();
 }
 
 void Console::add_command(std::string_view name, std::string_view help, Command command) {
   CHECK(command != nullptr, "{}", name);
   const bool is_new =
-      commands_.emplace(base::to_lower(name), RegisteredCommand{std::string(help), std::move(command)})
+      commands_
+          .emplace(base::to_lower(name), RegisteredCommand{std::string(help), std::move(command), nullptr})
           .second;
   CHECK(is_new, "{}", name);
+}
+
+void Console::set_argument_list(std::string_view command, ArgumentList list) {
+  const auto found = commands_.find(base::to_lower(command));
+  CHECK(found != commands_.end(), "{}", command);
+  found->second.arguments = std::move(list);
+}
+
+void Console::add_member(std::string_view name, std::string_view help, Member member, Kinds arguments) {
+  add_command(name, help, [this, member](Arguments words) { (this->*member)(words); });
+  if (arguments.commands || arguments.aliases || arguments.variables)
+    set_argument_list(name, [this, arguments] { return candidates_of(arguments, ""); });
 }
 
 bool Console::has_room_for(std::string_view text) const {
@@ -43,6 +58,7 @@ void Console::insert(std::string_view text) {
 void Console::run() {
   waiting_ = false;
   expansions_ = 0;
+  expanded_chars_ = 0;
   while (has_pending() && !waiting_) {
     const std::string_view pending = std::string_view(text_).substr(done_);
     const std::string command(pending.substr(0, command_length(pending)));
@@ -62,19 +78,21 @@ void Console::execute(std::string_view command) {
   if (const auto found = commands_.find(name); found != commands_.end()) {
     found->second.run(words);
   } else if (const auto alias = aliases_.find(name); alias != aliases_.end()) {
-    if (may_expand(words[0])) insert(alias->second);
+    if (may_expand(words[0], alias->second)) insert(alias->second);
   } else if (const Variable* variable = variables_.find(name); variable != nullptr) {
     variable_command(*variable, words);
   } else {
-    print(fmt::format("unknown command \"{}\"", words[0]));
+    print(fmt::format("unknown command \"{}\"", base::quotable(words[0])));
   }
 }
 
-bool Console::may_expand(std::string_view name) {
-  if (++expansions_ <= kMaxExpansions) return true;
-  print(fmt::format(
-      "\"{}\": more than {} aliases and files in a row, one must call itself; the rest is dropped", name,
-      kMaxExpansions));
+bool Console::may_expand(std::string_view name, std::string_view text) {
+  expanded_chars_ += text.size();
+  if (++expansions_ <= kMaxExpansions && expanded_chars_ <= kMaxExpandedChars) return true;
+  const std::string what = expansions_ > kMaxExpansions ? fmt::format("{} aliases and files", kMaxExpansions)
+                                                        : fmt::format("{} characters", kMaxExpandedChars);
+  print(fmt::format("\"{}\": more than {} in a row, one must call itself; the rest is dropped",
+                    base::quotable(name), what));
   text_.clear();
   done_ = 0;
   return false;
@@ -82,27 +100,6 @@ bool Console::may_expand(std::string_view name) {
 
 void Console::print_if_error(const base::Status& status) const {
   if (!status.ok()) print(status.error().message());
-}
-
-void Console::variable_command(const Variable& variable, Arguments arguments) {
-  if (arguments.size() == 1)
-    print(fmt::format("\"{}\" is \"{}\"", variable.name, variable.text));
-  else
-    print_if_error(variables_.set(variable.name, arguments[1]));
-}
-
-std::vector<std::string> Console::complete(std::string_view prefix) const {
-  const std::string wanted = base::to_lower(prefix);
-  std::vector<std::string> names;
-  const auto add_if_wanted = [&](const std::string& name) {
-    if (base::to_lower(name).starts_with(wanted)) names.push_back(name);
-  };
-  for (const auto& [name, command] : commands_) add_if_wanted(name);
-  for (const auto& [name, text] : aliases_) add_if_wanted(name);
-  for (const Variable* variable : variables_.all()) add_if_wanted(variable->name);
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  return names;
 }
 
 }  // namespace temblor::command

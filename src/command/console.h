@@ -11,8 +11,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
+#include "command/completion.h"
 #include "command/variables.h"
 
 namespace temblor::command {
@@ -26,18 +28,23 @@ class Console {
   using Output = std::function<void(std::string_view line)>;
   // The text of a file of commands.
   using Loader = std::function<base::Result<std::string>(std::string_view name)>;
+  // All that a command's argument may be, for completion: asked for when somebody wants to see it.
+  using ArgumentList = std::function<std::vector<Candidate>()>;
 
   // Text that waits to be run; text that does not fit is refused whole, with a line that says so.
   static constexpr std::size_t kMaxPendingChars = std::size_t{1} << 20;
-  // Aliases and files that one run() may open: enough for any config, and an end to those that call
-  // themselves.
+  // Aliases and files that one run() may open, and their characters: enough for any config, and an end to
+  // those that call themselves.
   static constexpr int kMaxExpansions = 4096;
+  static constexpr std::size_t kMaxExpandedChars = std::size_t{1} << 23;
 
   // `io_variables` must outlive the console.
   Console(Variables& io_variables, Output output);
 
   // CHECKs that there is no command of that name yet. `help`: one sentence.
   void add_command(std::string_view name, std::string_view help, Command command);
+  // CHECKs that there is such a command.
+  void set_argument_list(std::string_view command, ArgumentList list);
   // Without a loader, `exec` says that there are no files.
   void set_loader(Loader loader) { loader_ = std::move(loader); }
 
@@ -52,34 +59,61 @@ class Console {
   // pending text.
   void execute(std::string_view command);
 
-  // Names of commands, aliases and variables that start so (without regard to case), sorted: for completion.
+  // Commands, aliases and variables whose names start so (without regard to case), sorted by name.
+  std::vector<Candidate> candidates(std::string_view prefix) const;
+  // The same, their names only.
   std::vector<std::string> complete(std::string_view prefix) const;
+  // For a line that is typed as far as `line`: the last word of its last command, which is empty behind a
+  // space. A command's first word may be any name; what comes behind depends on it: one of its argument list,
+  // or a value of the variable.
+  Completion complete_line(std::string_view line) const;
 
  private:
   struct RegisteredCommand {
     std::string help;
     Command run;
+    ArgumentList arguments;  // may be null
+  };
+  // Which names a list is of.
+  struct Kinds {
+    bool commands = true, aliases = true, variables = true;
   };
 
   void add_built_in_commands();
+  void add_variable_commands();
+  void add_list_commands();
+  using Member = void (Console::*)(Arguments);
+  void add_member(std::string_view name, std::string_view help, Member member, Kinds arguments);
+  std::vector<Candidate> candidates_of(Kinds kinds, std::string_view prefix) const;
+  // For the word behind `words`, which are not none.
+  void complete_argument(Arguments words, std::string_view prefix, Completion& io_completion) const;
   // Whether `text` may join what is pending; if not, says so.
   bool has_room_for(std::string_view text) const;
   void insert(std::string_view text);
-  // Whether another alias or file may be opened; if not, says so and drops what is pending.
-  bool may_expand(std::string_view name);
+  // Whether another alias or file, of that text, may be opened; if not, says so and drops what is pending.
+  bool may_expand(std::string_view name, std::string_view text);
   void print(std::string_view line) const { output_(line); }
   void print_if_error(const base::Status& status) const;
 
   void alias_command(Arguments arguments);
   void unalias_command(Arguments arguments);
+  void unaliasall_command(Arguments arguments);
   void echo_command(Arguments arguments);
   void exec_command(Arguments arguments);
   void help_command(Arguments arguments);
   void list_command(Arguments arguments);
+  void command_list_command(Arguments arguments);
+  void variable_list_command(Arguments arguments);
+  void apropos_command(Arguments arguments);
   void reset_command(Arguments arguments);
+  void reset_all_command(Arguments arguments);
   void set_command(Arguments arguments);
   void toggle_command(Arguments arguments);
+  void cycle_command(Arguments arguments);
+  void inc_command(Arguments arguments);
   void variable_command(const Variable& variable, Arguments arguments);
+  // Null, and says so, when there is none.
+  const Variable* find_variable(std::string_view name) const;
 
   Variables& variables_;
   Output output_;
@@ -90,6 +124,7 @@ class Console {
   std::size_t done_ = 0;
   bool waiting_ = false;
   int expansions_ = 0;  // since run() began
+  std::size_t expanded_chars_ = 0;
 };
 
 }  // namespace temblor::command

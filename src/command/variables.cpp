@@ -65,7 +65,7 @@ std::optional<Parsed> parse_value(const Variable& variable, std::string_view tex
 }
 
 base::Error unknown_variable(std::string_view name) {
-  return base::error(ErrorCode::kNotFound, "there is no variable \"{}\"", name);
+  return base::error(ErrorCode::kNotFound, "there is no variable \"{}\"", base::quotable(name));
 }
 
 }  // namespace
@@ -146,8 +146,8 @@ base::Status Variables::set(std::string_view name, std::string_view value) {
   Variable& variable = variables_[base::to_size(found->second)];
   std::optional<Parsed> parsed = parse_value(variable, value);
   if (!parsed)
-    return base::error(ErrorCode::kUsage, "{} cannot be \"{}\": it takes {}", variable.name, value,
-                       describe_values(variable));
+    return base::error(ErrorCode::kUsage, "{} cannot be \"{}\": it takes {}", variable.name,
+                       base::quotable(value), describe_values(variable));
   if (parsed->text == variable.text) return base::Ok{};
   variable.text = std::move(parsed->text);
   variable.number = parsed->number;
@@ -203,6 +203,11 @@ const std::string& Variables::text_value(VariableIndex index) const {
 
 std::size_t Variables::choice_value(VariableIndex index) const {
   return static_cast<std::size_t>(get_typed(index, VariableType::kChoice).number);
+}
+
+bool has_value(const Variable& variable, std::string_view value) {
+  const std::optional<Parsed> parsed = parse_value(variable, value);
+  return parsed && parsed->text == variable.text;
 }
 
 std::string describe_values(const Variable& variable) {

@@ -77,6 +77,9 @@ class Variables {
   std::uint64_t version_ = 0;
 };
 
+// Whether the variable has that value, in whatever way it is written: set() would leave it as it is.
+bool has_value(const Variable& variable, std::string_view value);
+
 // What set() accepts for a variable: "0 or 1", "-1 to 3", "stock or footprint", "one of a, b, c", "any text".
 std::string describe_values(const Variable& variable);
 

@@ -40,8 +40,10 @@ struct PadChanged {
 struct FocusChanged {
   bool focused = false;
 };
-// The window's size is another one (Window::size()), or it has moved to another display.
-struct WindowChanged {};
+// The window's size is another one, or it has moved to another display.
+struct WindowChanged {
+  int width = 0, height = 0;  // as WindowSettings::size; Window::size() says it in pixels
+};
 // The window's close button, or the system is going down.
 struct CloseRequested {};
 

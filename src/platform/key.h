@@ -6,8 +6,8 @@
 
 namespace temblor::platform {
 
-// Values 33 to 126 are the character that the key has without Shift in the player's own layout, letters in
-// lower case; names are given to the rest.
+// Values 33 to 126 are the character that a US keyboard has at the key's place, without Shift: bindings go by
+// where keys are, so that hands find them on every layout. Names are given to the rest.
 enum class Key : std::uint16_t {
   kNone = 0,
   kTab = 9,

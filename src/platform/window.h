@@ -20,7 +20,9 @@ struct PixelSize {
 };
 
 struct WindowSettings {
-  PixelSize size{1280, 720};  // windowed: of the inside; full screen: of the display's mode
+  // Windowed: of the inside, in the desktop's units, which are several pixels where it scales; full screen:
+  // of the display's mode.
+  PixelSize size{1280, 720};
   WindowMode mode = WindowMode::kWindowed;
   int display = 0;    // one that is not there: the first
   bool vsync = true;  // where the display offers it

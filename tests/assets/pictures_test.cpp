@@ -126,8 +126,25 @@ TEST(Pictures, ThatAreMissingAreCheckersOfTheirSize) {
       EXPECT_EQ(picture->width, stock.width) << stock.name;
       EXPECT_EQ(picture->height, stock.height) << stock.name;
       EXPECT_TRUE(is_checker(*picture)) << stock.name;
+      EXPECT_EQ(loaded.pictures.find_real(stock.name), nullptr) << stock.name;
     }
   EXPECT_EQ(loaded.pictures.characters().pixels.size(), 128u * 128u);
+}
+
+TEST(Pictures, ThatStandInAreNotReal) {
+  const StockFolder stock;
+  stock.write_wad(stock.wad());
+  const Loaded whole = load(stock.folder().path());
+  EXPECT_EQ(whole.pictures.find_real("GFX/Pause.lmp"), whole.pictures.find("gfx/pause.lmp"));
+  EXPECT_EQ(whole.pictures.find_real("gfx/nowhere.lmp"), nullptr);
+  std::filesystem::remove(stock.folder().path() / "id1/gfx/pause.lmp");
+  stock.folder().write("id1/gfx/inter.lmp", "damaged");
+  const Loaded loaded = load(stock.folder().path());
+  for (const char* name : {"gfx/pause.lmp", "GFX/INTER.lmp"}) {
+    EXPECT_NE(loaded.pictures.find(name), nullptr) << name;
+    EXPECT_EQ(loaded.pictures.find_real(name), nullptr) << name;
+  }
+  EXPECT_NE(loaded.pictures.find_real("sbar"), nullptr);
 }
 
 TEST(Pictures, ThatAreDamagedAreCheckersAndNamed) {
@@ -143,6 +160,8 @@ TEST(Pictures, ThatAreDamagedAreCheckersAndNamed) {
   EXPECT_TRUE(is_checker(*loaded.pictures.find("disc")));
   EXPECT_TRUE(is_checker(*loaded.pictures.find("gfx/pause.lmp")));
   EXPECT_FALSE(is_checker(*loaded.pictures.find("sbar")));
+  EXPECT_EQ(loaded.pictures.find_real("DISC"), nullptr);
+  EXPECT_EQ(loaded.pictures.find_real("SBar"), loaded.pictures.find("sbar"));
 }
 
 TEST(Pictures, OfADamagedArchiveAreAllThere) {

@@ -234,6 +234,21 @@ TEST(Entities, ATrailLeadsBackToWhereTheEntityWasSeenLast) {
   EXPECT_EQ(seen(state, 5, 1.3).previous_origin_world.x, 240);
 }
 
+TEST(Entities, HaveComeWhereNothingLeadsBack) {
+  ClientState state = state_in_level();
+  packet(state, 1, {update_at(5, kOgreModel, {0, 0, 0})});
+  EXPECT_TRUE(seen(state, 5, 1).has_come);
+  EXPECT_FALSE(seen(state, 5, 1).has_come);
+  packet(state, 1.0625f, {update_at(5, kOgreModel, {16, 0, 0})});
+  EXPECT_FALSE(seen(state, 5, 1.03125).has_come);
+  packet(state, 1.125f, {update_at(5, kOgreModel, {232, 0, 0})});
+  EXPECT_TRUE(seen(state, 5, 1.1).has_come) << "a teleport";
+  packet(state, 1.1875f, {});
+  state.entities_at(1.1875, {});
+  packet(state, 1.25f, {update_at(5, kOgreModel, {240, 0, 0})});
+  EXPECT_TRUE(seen(state, 5, 1.2).has_come);
+}
+
 net::ClientData weapon(std::uint16_t model, std::uint16_t frame) {
   net::ClientData data;
   data.weapon_model = model;

@@ -159,5 +159,23 @@ TEST(Trails, LongWaysTakeNoLongerThanThereIsRoom) {
   EXPECT_EQ(left.pool.left_out(), (std::size_t{1} << 27) / 3 + 1 - 50);
 }
 
+// What another one left in the same slot before it changes nothing.
+TEST(Trails, BeginAnew) {
+  const auto last_of = [](bool something_before) {
+    Left left;
+    if (something_before) left.leave(TrailKind::kRocket, {0, 0, 0}, {500, 0, 1}, 1, 1);
+    const std::size_t before = left.pool.size();
+    left.trails.begin(kRocket, {7, 8, 9});
+    left.leave(TrailKind::kRocket, {7, 8, 9}, {207, 8, 9}, 1, 1);
+    left.pool.advance(1);
+    const render::ParticleCloud cloud = left.pool.cloud();
+    std::vector<float> places(cloud.x.begin() + static_cast<std::ptrdiff_t>(before), cloud.x.end());
+    places.insert(places.end(), cloud.z.begin() + static_cast<std::ptrdiff_t>(before), cloud.z.end());
+    return places;
+  };
+  EXPECT_GT(last_of(false).size(), 100u);
+  EXPECT_EQ(last_of(true), last_of(false));
+}
+
 }  // namespace
 }  // namespace temblor::client

@@ -1,6 +1,7 @@
 // Once warm, playing a recording asks the heap for nothing: every operator new of the program is counted.
 #include <gtest/gtest.h>
 
+#include "client/console_screen.h"
 #include "client/demo_by_hand.h"
 #include "client/demo_player.h"
 #include "client/messages.h"
@@ -42,6 +43,20 @@ TEST(WarmClient, AllocatesNothing) {
   EXPECT_GT(play_until(2), 0u) << "the beginning must allocate, or nothing is counted";
   EXPECT_EQ(play_until(1 + kPackets / 32.0 - 0.5), 0u);
   EXPECT_GT(entities, 1000u);
+}
+
+// Closed, with messages over the game; they are only drawn.
+TEST(WarmConsole, AllocatesNothingOverAGame) {
+  ConsoleScreen screen;
+  screen.view.settings.notify_time_s = 100;
+  screen.ui.print("a message that is longer than a short string, and wrapped in a narrow frame\n", 0);
+  screen.draw();
+  const std::size_t before = allocation_count();
+  for (int frame = 0; frame < 100; ++frame) {
+    screen.view.time_s += 0.01;
+    EXPECT_FALSE(screen.draw().commands.empty());
+  }
+  EXPECT_EQ(allocation_count(), before);
 }
 
 }  // namespace

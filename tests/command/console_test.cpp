@@ -153,6 +153,39 @@ TEST_F(ConsoleTest, AliasesThatWaitMayCallThemselvesForEver) {
   EXPECT_THAT(lines_, IsEmpty());
 }
 
+// Few aliases, but each time all of a long text.
+TEST_F(ConsoleTest, LongAliasesThatCallThemselvesEndSooner) {
+  run("alias a \"a" + std::string(200'000, ' ') + "\"; a; note never");
+  ASSERT_EQ(lines_.size(), 1u);
+  EXPECT_THAT(lines_[0], HasSubstr("call itself"));
+  EXPECT_THAT(notes_, IsEmpty());
+  run("note alive");
+  EXPECT_THAT(notes_, ElementsAre("[alive]"));
+}
+
+// Each of the lines would load the megabyte again.
+TEST_F(ConsoleTest, AFileOfAMegabyteThatExecsItselfEnds) {
+  std::string text;
+  while (text.size() + 1000 < Console::kMaxPendingChars) text += "exec a.cfg\n";
+  files_["a.cfg"] = text;
+  run("exec a.cfg; note never");
+  ASSERT_FALSE(lines_.empty());
+  EXPECT_LT(lines_.size(), 20u);
+  EXPECT_THAT(lines_.back(), HasSubstr("call itself"));
+  EXPECT_THAT(notes_, IsEmpty());
+}
+
+TEST_F(ConsoleTest, LinesOfAMegabyteAreAnsweredBriefly) {
+  const std::string megabyte(Console::kMaxPendingChars - 100, 'x');
+  for (const char* before :
+       {"", "sensitivity ", "help ", "inc ", "unalias ", "cycle colour ", "apropos ", "reset "}) {
+    lines_.clear();
+    run(before + megabyte);
+    for (const std::string& line : lines_) EXPECT_LT(line.size(), 200u) << before;
+    EXPECT_EQ(lines_.size(), 1u) << before;
+  }
+}
+
 TEST_F(ConsoleTest, TooMuchTextIsRefused) {
   console_.append("note kept");
   console_.append(std::string(Console::kMaxPendingChars, 'x'));
@@ -212,7 +245,7 @@ TEST_F(ConsoleTest, EveryCommandHasHelp) {
 
 TEST_F(ConsoleTest, CompletesNamesOfEveryKind) {
   run("alias setup note; alias other note");
-  EXPECT_THAT(console_.complete("SE"), ElementsAre("sensitivity", "set", "setup"));
+  EXPECT_THAT(console_.complete("SE"), ElementsAre("sensitivity", "set", "seta", "setup"));
   EXPECT_THAT(console_.complete("zz"), IsEmpty());
 }
 

@@ -32,8 +32,12 @@ std::string right_aligned(int value, int width) {
 }
 
 Panel Panel::with_top(int top_px) const {
+  return at((frame_width_ - kScreenWidth * scale_) / 2, top_px);
+}
+
+Panel Panel::at(int left_px, int top_px) const {
   Panel moved = *this;
-  moved.left_px_ = (frame_width_ - kScreenWidth * scale_) / 2;
+  moved.left_px_ = left_px;
   moved.top_px_ = top_px;
   return moved;
 }
@@ -54,10 +58,12 @@ void Panel::picture_in_middle(std::string_view name, int y) const {
     picture(name, (kScreenWidth - static_cast<int>(found->width)) / 2, y);
 }
 
-void Panel::fill(int x, int y, int width, int height, std::uint8_t index) const {
+void Panel::fill(int x, int y, int width, int height, std::uint8_t index,
+                 float opacity) const {
   list_->commands.push_back(
       {.area = {left_px_ + x * scale_, top_px_ + y * scale_, width * scale_, height * scale_},
-       .fill = index});
+       .fill = index,
+       .opacity = opacity});
 }
 
 void Panel::character(std::uint8_t character, int x, int y) const {

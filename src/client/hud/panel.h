@@ -36,13 +36,14 @@ class Panel {
   Panel at_bottom(int height) const { return with_top(frame_height_ - height * scale_); }
   Panel in_middle(int height) const { return with_top((frame_height_ - height * scale_) / 2); }
   Panel with_top(int top_px) const;
+  Panel at(int left_px, int top_px) const;
 
   int frame_height_px() const { return frame_height_; }
 
   // Nothing for a name that there is no picture of.
   void picture(std::string_view name, int x, int y, float opacity = 1) const;
   void picture_in_middle(std::string_view name, int y) const;  // of the panel's 320
-  void fill(int x, int y, int width, int height, std::uint8_t index) const;
+  void fill(int x, int y, int width, int height, std::uint8_t index, float opacity = 1) const;
   void character(std::uint8_t character, int x, int y) const;
   void text(std::string_view text, int x, int y) const;
   // `digits` large digits, 24 apart, right-aligned; what has more is shown as the largest that fits, or the

@@ -119,6 +119,9 @@ base::Result<std::unique_ptr<DatagramSocket>> open_of_family(const Address& addr
   auto opened = std::make_unique<UdpSocket>(descriptor, family);
   const int off = 0;
   if (family == AF_INET6) setsockopt(descriptor, IPPROTO_IPV6, IPV6_V6ONLY, &off, sizeof(off));
+  // Without it a search of the local network is refused.
+  const int on = 1;
+  setsockopt(descriptor, SOL_SOCKET, SO_BROADCAST, &on, sizeof(on));
   // A wish: the system may grant less.
   setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &kReceiveBufferBytes, sizeof(kReceiveBufferBytes));
   const SystemAddress system = to_system(address, family);

@@ -1,0 +1,102 @@
+// What sound costs: a second of it at a time, so that a time of 10 ms is one percent of a core.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <vector>
+
+#include "audio/mix_kernels.h"
+#include "audio/mixer.h"
+#include "formats/wav.h"
+
+namespace temblor::bench {
+namespace {
+
+constexpr std::size_t kSecond = audio::kFramesPerSecond;
+constexpr std::size_t kPiece = 512;  // as a device asks for it
+
+audio::SoundPtr hum(double frequency_hz) {
+  audio::Sound sound{"hum", {}, audio::SoundLoop{0, kSecond}};
+  for (std::size_t i = 0; i < kSecond; ++i)
+    sound.samples.push_back(
+        static_cast<float>(0.5 * std::sin(6.283185307 * frequency_hz * static_cast<double>(i) / kSecond)));
+  return std::make_shared<const audio::Sound>(std::move(sound));
+}
+
+// So many voices all heard, while the listener turns and walks, 72 times a second.
+void mix_voices(benchmark::State& state) {
+  audio::Mixer mixer;
+  audio::Scene scene;
+  scene.listener.entity = 1;
+  mixer.follow(scene, 0);
+  audio::SoundEvents events;
+  for (std::int64_t i = 0; i < state.range(0); ++i) {
+    const auto place = static_cast<float>(i);
+    events.statics.push_back({hum(100 + 10 * static_cast<double>(i)),
+                              {300 * std::cos(place), 300 * std::sin(place), 0},
+                              2 / static_cast<float>(state.range(0)),
+                              1});
+  }
+  mixer.happen(events);
+  std::vector<float> out(2 * kPiece), music(2 * kPiece, 0.1f);
+  double time_s = 0;
+  for (auto _ : state) {
+    for (std::size_t done = 0; done < kSecond; done += kPiece) {
+      time_s += static_cast<double>(kPiece) / kSecond;
+      scene.listener.origin_world.x = static_cast<float>(100 * std::sin(time_s));
+      scene.listener.right = {static_cast<float>(std::cos(time_s)), static_cast<float>(std::sin(time_s)), 0};
+      mixer.follow(scene, kPiece);
+      mixer.render(out, music);
+    }
+    benchmark::ClobberMemory();
+  }
+  state.counters["percent_of_core"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) / 100,
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(mix_voices)
+    ->Name("audio/voices")
+    ->Arg(0)
+    ->Arg(32)
+    ->Arg(128)
+    ->Arg(512)
+    ->Unit(benchmark::kMillisecond);
+
+// The inner loop alone, for a second of one voice.
+template <auto Mix>
+void mix_kernel(benchmark::State& state) {
+  const audio::SoundPtr sound = hum(440);
+  std::vector<float> left(256), right(256);
+  for (auto _ : state) {
+    for (std::size_t at = 0; at + left.size() <= kSecond; at += left.size())
+      Mix({sound->samples.data() + at, left.size(), left.data(), right.data(), 0.5f, 1e-6f, 0.25f, 1e-6f});
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * kSecond));
+}
+void mix_plainly(const audio::MixJob& job) {
+  audio::mix_plain(job);
+}
+BENCHMARK(mix_kernel<mix_plainly>)->Name("audio/kernel/plain");
+BENCHMARK(mix_kernel<audio::mix_vector>)->Name("audio/kernel/vector");
+
+// Loading: a second of sound as games have it.
+void resample(benchmark::State& state) {
+  formats::Wav wav{.frames_per_second = static_cast<std::uint32_t>(state.range(0)),
+                   .channels = 1,
+                   .bits = 16,
+                   .samples = {},
+                   .loop = {}};
+  for (std::int64_t i = 0; i < state.range(0); ++i)
+    wav.samples.push_back(static_cast<std::int16_t>(i * 7919 % 20000));
+  for (auto _ : state) benchmark::DoNotOptimize(audio::make_sound(wav, "second"));
+}
+BENCHMARK(resample)
+    ->Name("audio/load")
+    ->Arg(11025)
+    ->Arg(22050)
+    ->Arg(44100)
+    ->Arg(48000)
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace temblor::bench

@@ -1,0 +1,83 @@
+#include "app/play_watch.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "app/child_process.h"
+#include "command/text.h"
+
+namespace temblor::app {
+namespace {
+
+constexpr double kLookEvery_s = 0.2;
+
+base::Status run_compiler(const std::vector<std::string>& words) {
+  TRY(ChildProcess compiler, ChildProcess::start(words));
+  return compiler.finish();
+}
+
+// This program once more, in a process of its own: a map that upsets the compiler must not end the game.
+std::vector<std::string> compiler_words(const std::filesystem::path& map, const std::filesystem::path& level,
+                                        const std::filesystem::path& base_folder,
+                                        const CommonOptions& common) {
+  std::vector<std::string> words = {std::filesystem::read_symlink("/proc/self/exe").string(), "--basedir",
+                                    base_folder.string()};
+  for (const std::string& game : common.folders.games) words.insert(words.end(), {"--game", game});
+  words.insert(words.end(), {"compile", map.string(), "-o", level.string()});
+  return words;
+}
+
+}  // namespace
+
+base::Result<PlayWatch> PlayWatch::begin(const std::vector<std::string>& files,
+                                         const std::filesystem::path& base_folder,
+                                         const CommonOptions& common) {
+  PlayWatch watch;
+  const std::filesystem::path game =
+      base_folder / (common.folders.games.empty() ? "id1" : common.folders.games.back());
+  for (const std::string& name : files) {
+    const std::filesystem::path file = name;
+    const FileStamp stamp = stamp_of(file);
+    if (!stamp.exists) return base::error(base::ErrorCode::kNotFound, "there is no file {} to watch", name);
+    if (file.extension() == ".dat") {
+      watch.program_ = name;
+      watch.played_.add({stamp});
+      continue;
+    }
+    if (file.extension() != ".map" && file.extension() != ".bsp")
+      return base::error(base::ErrorCode::kUsage, "{}: --watch takes a .map, a .bsp or a progs.dat", name);
+    watch.level_ = file.stem().string();
+    const std::filesystem::path level = game / "maps" / (watch.level_ + ".bsp");
+    if (file.extension() == ".map") {
+      std::error_code ignored;
+      std::filesystem::create_directories(level.parent_path(), ignored);
+      Map map{compiler_words(file, level, base_folder, common), {}};
+      map.watch.add({stamp});
+      TRY_STATUS(run_compiler(map.compile));
+      watch.maps_.push_back(std::move(map));
+    }
+    watch.played_.add({stamp_of(level)});
+  }
+  return watch;
+}
+
+std::vector<std::string> PlayWatch::look(double now_s) {
+  std::vector<std::string> lines;
+  if (now_s - looked_at_s_ < kLookEvery_s) return lines;
+  looked_at_s_ = now_s;
+  if (compiling_ && compiling_->wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    const base::Status compiled = compiling_->get();
+    compiling_.reset();
+    if (!compiled.ok()) lines.push_back(command::join_words({"echo", compiled.error().message()}));
+  }
+  for (Map& map : maps_)
+    if (!compiling_ && map.watch.has_changed()) {
+      lines.push_back("echo compiling");
+      compiling_ = std::async(std::launch::async, run_compiler, map.compile);
+    }
+  if (played_.has_changed()) lines.emplace_back("reload");
+  return lines;
+}
+
+}  // namespace temblor::app

@@ -1,0 +1,43 @@
+// `play --watch`: what a mapper or modder works on is taken up by the running game when it is saved.
+#pragma once
+
+#include <filesystem>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/file_watch.h"
+#include "app/options.h"
+#include "base/result.h"
+
+namespace temblor::app {
+
+class PlayWatch {
+ public:
+  // `files`: maps, which are compiled into the last game folder, levels and a program (.dat). Compiles the
+  // maps once, so that there is something to play; fails where that does.
+  static base::Result<PlayWatch> begin(const std::vector<std::string>& files,
+                                       const std::filesystem::path& base_folder, const CommonOptions& common);
+
+  // The level to play and the game's code to use; empty: none was named.
+  const std::string& level() const { return level_; }
+  const std::string& program() const { return program_; }
+
+  // Looks at the files now and then. Console lines to be run for what has changed.
+  std::vector<std::string> look(double now_s);
+
+ private:
+  struct Map {
+    std::vector<std::string> compile;  // the words of the command
+    FileWatch watch;
+  };
+
+  std::vector<Map> maps_;
+  FileWatch played_;  // levels and programs, as the game reads them
+  std::string level_, program_;
+  std::optional<std::future<base::Status>> compiling_;
+  double looked_at_s_ = 0;
+};
+
+}  // namespace temblor::app

@@ -1,0 +1,242 @@
+#include "audio/mixer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "audio/mix_kernels.h"
+#include "base/check.h"
+#include "base/hash.h"
+
+namespace temblor::audio {
+namespace {
+
+constexpr std::size_t kLeastGlide_frames = 240;  // 5 ms
+constexpr float kAmbientFade_per_frame = 100.0f / kFramesPerSecond;
+constexpr std::size_t kMostSkipped_frames = kFramesPerSecond / 10;
+
+bool is_playing(const Voice& voice) {
+  return !voice.is_ending && !voice.has_ended;
+}
+
+bool can_be_heard(const SoundPtr& sound) {
+  return sound != nullptr && !sound->samples.empty();
+}
+
+}  // namespace
+
+Mixer::Mixer(const MixerSettings& settings) : settings_(settings) {
+  voices_.reserve(kMostWithEnding);
+  if (settings_.keep_done_sounds) done_.reserve(kMostWithEnding);
+}
+
+void Mixer::follow(const Scene& scene, std::size_t frames) {
+  const std::size_t glide = std::max(frames, kLeastGlide_frames);
+  scene_ = scene;
+  for (Voice& voice : voices_) move_voice(voice, scene_.listener, glide);
+  sound_volume_.go_to(scene_.volumes.sounds, has_scene_ ? glide : 0);
+  music_volume_.go_to(scene_.volumes.music, has_scene_ ? glide : 0);
+  muffle_.set_target(scene_.listener.underwater ? std::clamp(scene_.volumes.muffled_underwater, 0.0f, 1.0f)
+                                                : 0.0f);
+  for (std::size_t kind = 0; kind < kAmbients; ++kind) aim_ambient(kind);
+  has_scene_ = true;
+}
+
+void Mixer::happen(const SoundEvents& events) {
+  if (events.begins_anew)
+    for (Voice& voice : voices_) end_voice(voice);
+  if (events.new_ambients) take_ambients(events.ambients);
+  for (const StaticSound& what : events.statics) start(what);
+  for (const StartedSound& what : events.started) start(what);
+  for (const StoppedSound& what : events.stopped) stop(what);
+}
+
+void Mixer::aim_ambient(std::size_t kind) {
+  Glide& level = ambients_[kind].level;
+  const float target = ambients_[kind].sound ? ambient_target(scene_.ambient_levels[kind]) : 0;
+  if (target == level.target()) return;  // on its way
+  const float frames = std::abs(target - level.value()) / kAmbientFade_per_frame;
+  level.go_to(target, static_cast<std::size_t>(std::ceil(frames)));
+}
+
+// What was heard of another sound of the kind fades as a voice of its own.
+void Mixer::take_ambients(const std::array<SoundPtr, kAmbients>& sounds) {
+  for (std::size_t kind = 0; kind < kAmbients; ++kind) {
+    Ambient& ambient = ambients_[kind];
+    const SoundPtr sound = can_be_heard(sounds[kind]) ? sounds[kind] : nullptr;
+    if (ambient.sound == sound) continue;
+    if (ambient.sound && voices_.size() < kMostWithEnding) {
+      const float gain = ambient.level.value() / 255;
+      Voice voice{.sound = ambient.sound,
+                  .position = ambient.position,
+                  .volume = 0,
+                  .left = Glide(gain),
+                  .right = Glide(gain),
+                  .is_new = false};
+      end_voice(voice);
+      voices_.push_back(std::move(voice));
+    }
+    be_done_with(std::exchange(ambient.sound, sound));
+    ambient.position = 0;
+    ambient.level = Glide(0);
+    aim_ambient(kind);
+  }
+}
+
+void Mixer::start(const StartedSound& what) {
+  replace(what.entity, what.channel);
+  if (!can_be_heard(what.sound)) return;
+  begin({.sound = what.sound,
+         .position = skip_of_duplicate(what.sound),
+         .entity = what.entity,
+         .channel = what.channel,
+         .origin_world = what.origin_world,
+         .volume = what.volume,
+         .attenuation = what.attenuation});
+}
+
+void Mixer::start(const StaticSound& what) {
+  if (!can_be_heard(what.sound)) return;
+  begin({.sound = what.sound,
+         .kind = VoiceKind::kStatic,
+         .origin_world = what.origin_world,
+         .volume = what.volume,
+         .attenuation = what.attenuation});
+}
+
+void Mixer::stop(const StoppedSound& what) {
+  for (Voice& voice : voices_)
+    if (voice.kind == VoiceKind::kStarted && voice.entity == what.entity && voice.channel == what.channel)
+      end_voice(voice);
+}
+
+// The original's rule: a sound takes the place of one of its entity, the oldest that its channel may replace.
+void Mixer::replace(std::int32_t entity, int channel) {
+  if (channel == kFreeChannel) return;
+  Voice* oldest = nullptr;
+  for (Voice& voice : voices_) {
+    if (voice.kind != VoiceKind::kStarted || voice.entity != entity || !is_playing(voice)) continue;
+    if (channel != kAnyChannel && voice.channel != channel) continue;
+    if (oldest == nullptr || voice.number < oldest->number) oldest = &voice;
+  }
+  if (oldest != nullptr) end_voice(*oldest);
+}
+
+// The same sound twice in one moment would only be louder, and hollow: the second one begins further in.
+std::size_t Mixer::skip_of_duplicate(const SoundPtr& sound) {
+  const auto same = [&](const Voice& voice) { return voice.is_new && voice.sound == sound; };
+  if (std::none_of(voices_.begin(), voices_.end(), same)) return 0;
+  const std::size_t most = std::min(kMostSkipped_frames, sound->samples.size());
+  return static_cast<std::size_t>(base::mixed_bits(started_count_) % most);
+}
+
+// By the original's rule; false: all that play are worth more.
+bool Mixer::make_room() {
+  if (voices_.size() >= kMostWithEnding) return false;
+  const auto playing = std::count_if(voices_.begin(), voices_.end(), is_playing);
+  if (static_cast<std::size_t>(playing) < kMaxVoices) return true;
+  Voice* shortest = nullptr;
+  for (Voice& voice : voices_) {
+    if (!is_playing(voice) || voice.sound->loop || voice.entity == scene_.listener.entity) continue;
+    if (shortest == nullptr || voice.frames_left() < shortest->frames_left()) shortest = &voice;
+  }
+  if (shortest != nullptr) end_voice(*shortest);
+  return shortest != nullptr;
+}
+
+void Mixer::begin(Voice voice) {
+  ++started_count_;
+  if (!make_room()) {
+    ++left_out_;
+    return;
+  }
+  voice.number = started_count_;
+  place_voice(voice, scene_.listener);
+  fade_in(voice);
+  voices_.push_back(std::move(voice));
+}
+
+void Mixer::mix_ambient(Ambient& io_ambient, const EarBuffers& io_ears) {
+  constexpr float kFull = 1.0f / 255;
+  std::size_t done = 0;
+  while (done < io_ears.left.size()) {
+    Glide& level = io_ambient.level;
+    const SoundLoop loop = io_ambient.sound->loop.value_or(SoundLoop{0, io_ambient.sound->samples.size()});
+    std::size_t frames = std::min(io_ears.left.size() - done, loop.end - io_ambient.position);
+    if (level.frames_left() > 0) frames = std::min(frames, level.frames_left());
+    if (!level.is_silent())
+      mix_vector({io_ambient.sound->samples.data() + io_ambient.position, frames, io_ears.left.data() + done,
+                  io_ears.right.data() + done, level.value() * kFull, level.step() * kFull,
+                  level.value() * kFull, level.step() * kFull});
+    level.pass(frames);
+    io_ambient.position += frames;
+    if (io_ambient.position == loop.end) io_ambient.position = loop.start;
+    done += frames;
+  }
+}
+
+// If nobody else holds it, it would be freed here and now.
+void Mixer::be_done_with(SoundPtr sound) {
+  if (settings_.keep_done_sounds && sound && done_.size() < done_.capacity())
+    done_.push_back(std::move(sound));
+}
+
+void Mixer::remove_ended() {
+  for (std::size_t i = 0; i < voices_.size();) {
+    // Until the done ones are taken away, others wait in their places.
+    const bool has_room = !settings_.keep_done_sounds || done_.size() < done_.capacity();
+    if (!voices_[i].has_ended || !has_room) {
+      ++i;
+      continue;
+    }
+    be_done_with(std::move(voices_[i].sound));
+    if (i + 1 < voices_.size()) voices_[i] = std::move(voices_.back());
+    voices_.pop_back();
+  }
+}
+
+void Mixer::render_block(std::span<float> out_samples, std::span<const float> music) {
+  const std::size_t count = out_samples.size() / 2;
+  const EarBuffers ears{std::span(left_).first(count), std::span(right_).first(count)};
+  std::fill(ears.left.begin(), ears.left.end(), 0.0f);
+  std::fill(ears.right.begin(), ears.right.end(), 0.0f);
+  for (Voice& voice : voices_) mix_voice(voice, ears);
+  for (Ambient& ambient : ambients_)
+    if (ambient.sound) mix_ambient(ambient, ears);
+  muffle_.process(ears.left, ears.right);
+  for (std::size_t i = 0; i < count; ++i) {
+    ears.left[i] *= sound_volume_.value();
+    ears.right[i] *= sound_volume_.value();
+    if (!music.empty()) {
+      ears.left[i] += music[2 * i] * music_volume_.value();
+      ears.right[i] += music[2 * i + 1] * music_volume_.value();
+    }
+    sound_volume_.pass(1);
+    music_volume_.pass(1);
+  }
+  limiter_.process(ears.left, ears.right);
+  for (std::size_t i = 0; i < count; ++i) {
+    out_samples[2 * i] = ears.left[i];
+    out_samples[2 * i + 1] = ears.right[i];
+  }
+  remove_ended();
+}
+
+void Mixer::render(std::span<float> out_samples, std::span<const float> music) {
+  CHECK(out_samples.size() % 2 == 0 && (music.empty() || music.size() == out_samples.size()));
+  while (!out_samples.empty()) {
+    const std::size_t size = std::min(out_samples.size(), 2 * kBlock_frames);
+    render_block(out_samples.first(size), music.empty() ? music : music.first(size));
+    out_samples = out_samples.subspan(size);
+    if (!music.empty()) music = music.subspan(size);
+  }
+}
+
+void Mixer::move_done_to(std::vector<SoundPtr>& io_list) {
+  while (!done_.empty() && io_list.size() < io_list.capacity()) {
+    io_list.push_back(std::move(done_.back()));
+    done_.pop_back();
+  }
+}
+
+}  // namespace temblor::audio

@@ -1,0 +1,64 @@
+// Music for an audio callback: decoded ahead on a thread of its own, so that whoever reads never waits.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <thread>
+#include <vector>
+
+#include "audio/music_decoder.h"
+
+namespace temblor::audio {
+
+class MusicStream {
+ public:
+  MusicStream();
+  ~MusicStream();
+  MusicStream(const MusicStream&) = delete;
+  MusicStream& operator=(const MusicStream&) = delete;
+
+  // From the thread that made it. What played before stops; nothing: silence.
+  void play(std::optional<MusicDecoder> music);
+  void set_paused(bool paused) { paused_ = paused; }
+  // The file that is being played turned out to be damaged.
+  bool has_failed() const { return has_failed_; }
+
+  // From one other thread: the next frames, left and right in turn; silence where there are none yet. Neither
+  // waits nor asks the heap for anything.
+  void read(std::span<float> out_samples);
+
+  // Frames that are ready to be read.
+  std::size_t frames_ready() const;
+
+ private:
+  static constexpr std::size_t kRing_frames = std::size_t{1} << 15;  // 0.7 s
+
+  void decode_ahead();
+  void fill();
+  void take(std::span<float> out_samples, std::size_t from_frame);
+  void bridge(std::span<float> io_samples);
+
+  std::vector<float> ring_ = std::vector<float>(2 * kRing_frames);
+  // Frames since the beginning. One thread writes each: the decoder's the first two, the reader's the last.
+  std::atomic<std::size_t> written_{0}, dropped_{0}, read_{0};
+  std::atomic<bool> paused_{false}, has_failed_{false};
+
+  // The reader's: its last frame, and how far off it the next ones are made to begin.
+  std::array<float, 2> last_{}, offset_{};
+  bool was_playing_ = false;
+
+  std::mutex mutex_;  // between play() and the decoder's thread
+  std::condition_variable wake_;
+  std::optional<MusicDecoder> next_;
+  bool has_next_ = false, quits_ = false;
+
+  std::optional<MusicDecoder> decoder_;  // the decoder's thread's
+  std::thread thread_;                   // last: it uses all of the above
+};
+
+}  // namespace temblor::audio

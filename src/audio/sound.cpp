@@ -1,0 +1,115 @@
+// The method: libsamplerate's windowed sinc, offline. A loop is to have a whole number of samples after
+// resampling, so the ratio is bent to that (by less than half a sample over the loop); and both of its ends
+// must lie where the filter sees nothing but loop, so the source's loop is written out once more and the
+// result loops in there.
+#include "audio/sound.h"
+
+#include <samplerate.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace temblor::audio {
+namespace {
+
+constexpr double kFade_s = 0.001, kMostBlended_s = 0.1;
+// More than the filter reaches to either side, in samples of whichever rate is lower.
+constexpr double kFilterReach = 64;
+
+struct Plan {
+  std::vector<float> source;  // with the loop written out once more, if there is one
+  double ratio = 1;           // samples out for one in
+  std::size_t length = 0;     // samples wanted
+  std::optional<SoundLoop> loop;
+};
+
+std::vector<float> folded(const formats::Wav& wav) {
+  const float scale = 1.0f / (wav.bits == 8 ? 128.0f : 32768.0f) / static_cast<float>(wav.channels);
+  std::vector<float> samples(wav.frame_count(), 0.0f);
+  for (std::size_t i = 0; i < wav.samples.size(); ++i)
+    samples[i / wav.channels] += scale * static_cast<float>(wav.samples[i]);
+  return samples;
+}
+
+// The loop that it gets leaves out the beginning, which is blended into the end.
+std::optional<formats::WavLoop> close_loop(std::vector<float>& io_samples, std::uint32_t frames_per_second) {
+  const std::size_t length = io_samples.size();
+  const std::size_t blended =
+      std::min(length / 4, static_cast<std::size_t>(kMostBlended_s * frames_per_second));
+  if (length == 0) return std::nullopt;
+  for (std::size_t i = 0; i < blended; ++i) {
+    const float share = static_cast<float>(i + 1) / static_cast<float>(blended);
+    float& sample = io_samples[length - blended + i];
+    sample += share * (io_samples[i] - sample);
+  }
+  return formats::WavLoop{static_cast<std::uint32_t>(blended), static_cast<std::uint32_t>(length)};
+}
+
+Plan plan_without_loop(std::vector<float> source, double ratio) {
+  const auto length = static_cast<std::size_t>(std::llround(static_cast<double>(source.size()) * ratio));
+  return {std::move(source), ratio, length, std::nullopt};
+}
+
+Plan plan_with_loop(std::vector<float> source, const formats::WavLoop& loop, double ratio) {
+  const double frames = loop.end - loop.start;
+  const auto loop_length =
+      std::max(static_cast<std::size_t>(1), static_cast<std::size_t>(std::llround(frames * ratio)));
+  Plan plan;
+  plan.ratio = static_cast<double>(loop_length) / frames;
+  const double reach = std::ceil(kFilterReach * std::max(1.0, 1 / plan.ratio));
+  plan.loop = SoundLoop{};
+  plan.loop->start = static_cast<std::size_t>(std::ceil((loop.start + reach) * plan.ratio));
+  plan.loop->end = plan.length = plan.loop->start + loop_length;
+  const auto needed =
+      static_cast<std::size_t>(std::ceil(static_cast<double>(plan.length) / plan.ratio + reach)) + 1;
+  source.resize(loop.end);
+  while (source.size() < needed) source.push_back(source[source.size() - (loop.end - loop.start)]);
+  plan.source = std::move(source);
+  return plan;
+}
+
+base::Result<std::vector<float>> resampled(const Plan& plan) {
+  std::vector<float> samples(plan.length);
+  if (plan.ratio == 1.0) {
+    std::copy_n(plan.source.begin(), plan.length, samples.begin());
+    return samples;
+  }
+  SRC_DATA job{};
+  job.data_in = plan.source.data();
+  job.data_out = samples.data();
+  job.input_frames = static_cast<long>(plan.source.size());
+  job.output_frames = static_cast<long>(samples.size());
+  job.src_ratio = plan.ratio;
+  if (const int failure = src_simple(&job, SRC_SINC_MEDIUM_QUALITY, 1); failure != 0)
+    return base::error(base::ErrorCode::kUnsupported, "cannot be resampled: {}", src_strerror(failure));
+  return samples;
+}
+
+void fade_end(std::vector<float>& io_samples) {
+  const std::size_t count = std::min(io_samples.size(), static_cast<std::size_t>(kFade_s * kFramesPerSecond));
+  float* const first = io_samples.data() + (io_samples.size() - count);
+  for (std::size_t i = 0; i < count; ++i)
+    first[i] *= static_cast<float>(count - 1 - i) / static_cast<float>(count);
+}
+
+}  // namespace
+
+base::Result<SoundPtr> make_sound(const formats::Wav& wav, std::string name, Repeats repeats) {
+  if (wav.frame_count() > std::size_t{kMaxSound_s} * wav.frames_per_second)
+    return base::error(base::ErrorCode::kTooLarge, "{} s long, sounds last at most {} s; play it as music",
+                       wav.frame_count() / wav.frames_per_second, kMaxSound_s);
+  const double ratio = static_cast<double>(kFramesPerSecond) / wav.frames_per_second;
+  std::vector<float> source = folded(wav);
+  std::optional<formats::WavLoop> loop = wav.loop;
+  if (!loop && repeats == Repeats::kAlways) loop = close_loop(source, wav.frames_per_second);
+  const Plan plan =
+      loop ? plan_with_loop(std::move(source), *loop, ratio) : plan_without_loop(std::move(source), ratio);
+  Sound sound{std::move(name), {}, plan.loop};
+  if (plan.length > 0) {
+    TRY(sound.samples, resampled(plan));
+  }
+  if (!sound.loop) fade_end(sound.samples);
+  return std::make_shared<const Sound>(std::move(sound));
+}
+
+}  // namespace temblor::audio

@@ -1,0 +1,115 @@
+#include "client/menu/canvas.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace temblor::client {
+namespace {
+
+constexpr double kFilled = 0.75;  // of the frame, by the original's screen
+// What is wider or higher is hard to overlook, and a menu's title would be far from its rows.
+constexpr int kWidest = 424, kHighest = 300;
+constexpr int kNarrowest = 5 * kCharacterSide, kLowest = kCharacterSide + 2;
+// Characters of 8 pixels are small on today's displays: for twice as large ones, pages are laid out in less.
+constexpr int kNarrowAtTwo = 288, kLowAtTwo = 180;
+constexpr int kDimMargin = 8;
+constexpr std::uint8_t kBlack = 0, kLight = 15;  // of the palette's first row, which is grey
+
+}  // namespace
+
+int choose_menu_scale(int frame_width, int frame_height, double text_size) {
+  const double fitting = std::min(static_cast<double>(frame_width) / kScreenWidth,
+                                  static_cast<double>(frame_height) / kScreenHeight);
+  const double wished = std::clamp(fitting * kFilled * text_size, 1.0, std::max(fitting, 1.0));
+  const int scale = std::max(1, std::min(static_cast<int>(std::lround(wished)), static_cast<int>(fitting)));
+  const bool has_room_for_two = frame_width >= 2 * kNarrowAtTwo && frame_height >= 2 * kLowAtTwo;
+  return scale == 1 && text_size >= 1 && has_room_for_two ? 2 : scale;
+}
+
+std::optional<Canvas> Canvas::fit(const assets::Pictures& pictures, int frame_width, int frame_height,
+                                  const CanvasLook& look, render::DrawList& io_list) {
+  if (frame_width < kNarrowest || frame_height < kLowest) return std::nullopt;
+  const int scale = choose_menu_scale(frame_width, frame_height, look.text_size);
+  Box area;
+  area.width = std::min(frame_width / scale, kWidest) * scale;
+  area.height = std::min(frame_height / scale, kHighest) * scale;
+  area.x = (frame_width - area.width) / 2;
+  area.y = (frame_height - area.height) / 2;
+  Canvas canvas(pictures, frame_width, frame_height, scale, area, io_list);
+  canvas.high_contrast_ = look.high_contrast;
+  return canvas;
+}
+
+Canvas::Canvas(const assets::Pictures& pictures, int frame_width, int frame_height, int scale,
+               const Box& area, render::DrawList& io_list)
+    : pictures_(&pictures),
+      panel_(Panel(pictures, io_list, frame_width, frame_height, scale).at(area.x, area.y)),
+      large_(Panel(pictures, io_list, frame_width, frame_height, scale * 2)),
+      list_(&io_list),
+      area_(area),
+      scale_(scale) {}
+
+Box Canvas::to_frame(const Box& box) const {
+  return {area_.x + box.x * scale_, area_.y + box.y * scale_, box.width * scale_, box.height * scale_};
+}
+
+void Canvas::dim() const {
+  fill({-kDimMargin, -kDimMargin, width() + 2 * kDimMargin, height() + 2 * kDimMargin}, kBlack,
+       high_contrast_ ? 1.0f : kStrong);
+}
+
+void Canvas::highlight(const Box& box) const {
+  constexpr float kHighContrast = 0.4375f;
+  fill(box, kLight, high_contrast_ ? kHighContrast : kFaint);
+}
+
+void Canvas::fill(const Box& box, std::uint8_t index, float opacity) const {
+  panel_.fill(box.x, box.y, box.width, box.height, index, opacity);
+}
+
+void Canvas::text(std::string_view text, int x, int y, int size) const {
+  const Box place = to_frame({x, y, 0, 0});
+  const Panel panel = (size == 1 ? panel_ : large_).at(place.x, place.y);
+  constexpr unsigned char kFirstColour = 127;
+  int right = 0;
+  for (const char c : text) {
+    const auto letter = static_cast<unsigned char>(c);
+    panel.character(high_contrast_ ? letter & kFirstColour : letter, right, 0);
+    right += kCharacterSide;
+  }
+}
+
+void Canvas::text_in_middle(std::string_view words, int y, int size) const {
+  text(words, (width() - static_cast<int>(words.size()) * kCharacterSide * size) / 2, y, size);
+}
+
+void Canvas::character(char c, int x, int y) const {
+  panel_.character(static_cast<std::uint8_t>(c), x, y);
+}
+
+void Canvas::plaque(std::string_view name, int x, int y) const {
+  constexpr std::uint32_t kWidestPlaque = 48;
+  const formats::Picture* const picture = pictures_->find_real(name);
+  if (picture != nullptr && picture->width <= kWidestPlaque) panel_.picture(name, x, y);
+}
+
+int Canvas::title_picture(std::string_view name, int y) const {
+  constexpr std::uint32_t kHighestTitle = 32;
+  const formats::Picture* const picture = pictures_->find_real(name);
+  if (picture == nullptr || picture->height > kHighestTitle || static_cast<int>(picture->width) > width())
+    return 0;
+  panel_.picture(name, (width() - static_cast<int>(picture->width)) / 2, y);
+  return static_cast<int>(picture->height);
+}
+
+void Canvas::own_pixels(const formats::Picture& picture, const Box& box) const {
+  const Box place = to_frame(box);
+  const auto picture_width = static_cast<int>(picture.width),
+             picture_height = static_cast<int>(picture.height);
+  list_->commands.push_back(
+      {.picture = &picture,
+       .area = {place.x + (place.width - picture_width) / 2, place.y + (place.height - picture_height) / 2,
+                picture_width, picture_height}});
+}
+
+}  // namespace temblor::client

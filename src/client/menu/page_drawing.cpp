@@ -1,0 +1,242 @@
+// How a page is laid out: title, rows, what is known of the selected one, help.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "client/menu/lettering.h"
+#include "client/menu/page_view.h"
+#include "client/menu/plain_rows.h"
+
+namespace temblor::client {
+namespace {
+
+constexpr int kLine = kCharacterSide + 2;  // with the gap to the next
+constexpr int kLargeLine = 2 * kCharacterSide + 2;
+constexpr int kCursor = 2 * kCharacterSide;  // left of a row
+constexpr int kScrollBar = 8;                // right of it
+constexpr int kMargin = 8, kGap = 4;
+constexpr int kHelpLines = 3;
+constexpr std::uint8_t kBlack = 0, kLight = 15;  // of the palette's first row, which is grey
+
+constexpr int kLargeChars = 13;  // of the longest label on a large page
+constexpr int kPlaqueX = 16, kPlaqueWidth = 56;
+
+// A canvas lower than this leaves out what it can do without.
+constexpr int kRoomForTitle = 60, kRoomForLargeTitle = 120, kRoomForPicture = 160, kRoomForHelp = 130;
+
+std::array<int, 2> fitted(const formats::Picture& picture, int width, int height) {
+  const double scale =
+      std::min(static_cast<double>(width) / picture.width, static_cast<double>(height) / picture.height);
+  return {std::max(1, static_cast<int>(picture.width * scale)),
+          std::max(1, static_cast<int>(picture.height * scale))};
+}
+
+}  // namespace
+
+void PageView::draw(const Canvas& canvas, double time_s) {
+  spots_.clear();
+  scroll_bar_ = {};
+  int top = draw_title(canvas);
+  if (is_text_alone()) return draw_text(canvas, lay_out(canvas, top));
+  top = draw_question(canvas, draw_search(canvas, top));
+  const Layout layout = lay_out(canvas, top);
+  if (nearest(0, 1) == std::nullopt && !page_.nothing.empty() && search_.empty())
+    canvas.text_in_middle(cut(page_.nothing, characters_in(canvas.width())), layout.rows.y + kLine);
+  draw_rows(canvas, layout, time_s);
+  draw_details(canvas, layout);
+  draw_picture_below(canvas, layout);
+  draw_help(canvas, layout);
+}
+
+int PageView::draw_title(const Canvas& canvas) const {
+  const bool has_room = canvas.height() >= kRoomForPicture;
+  if (page_.style == PageStyle::kLarge && has_room && canvas.width() >= kScreenWidth)
+    canvas.plaque("gfx/qplaque.lmp", kPlaqueX, kGap);
+  if (has_room)
+    if (const int height = canvas.title_picture(page_.title_picture, kGap); height > 0)
+      return kGap + height + kGap;
+  if (canvas.height() < kRoomForTitle) return 1;
+  const int letters =
+      canvas.height() >= kRoomForLargeTitle &&
+              static_cast<int>(page_.title.size()) * 2 * kCharacterSide <= canvas.width() - 2 * kMargin
+          ? 2
+          : 1;
+  canvas.text_in_middle(in_second_colour(cut(page_.title, characters_in(canvas.width() / letters))),
+                        kGap + kGap, letters);
+  return kGap + kGap + letters * kCharacterSide + kGap + kGap;
+}
+
+int PageView::draw_search(const Canvas& canvas, int top) const {
+  if (!page_.searched || page_.rows.empty()) return top;
+  const Box line{kCursor, top, canvas.width() - kCursor - kMargin, kCharacterSide};
+  if (search_.empty())
+    draw_left_and_right(canvas, line, in_second_colour("Type to find"),
+                        in_second_colour(fmt::format("{}", shown_.size())));
+  else
+    draw_left_and_right(canvas, line, in_second_colour("Find: ") + search_ + '_',
+                        in_second_colour(fmt::format("{} of {}", shown_.size(), page_.rows.size())));
+  return top + kLine + kGap;
+}
+
+int PageView::draw_question(const Canvas& canvas, int top) const {
+  constexpr std::size_t kMostLines = 6;
+  int y = top;
+  for (const std::string& line : wrap(page_.text, characters_in(canvas.width() - 2 * kCursor), kMostLines)) {
+    canvas.text(line, kCursor, y);
+    y += kLine;
+  }
+  return y > top ? y + kLine : top;
+}
+
+Box PageView::large_rows(const Canvas& canvas, int top) const {
+  const int width = kLargeChars * 2 * kCharacterSide;
+  const int x =
+      std::max((canvas.width() - width) / 2, std::min(kPlaqueX + kPlaqueWidth, canvas.width() - width));
+  return {x, top, width, canvas.height() - top};
+}
+
+PageView::Layout PageView::lay_out(const Canvas& canvas, int top) const {
+  Layout layout;
+  const int width = canvas.width(), height = canvas.height();
+  const bool is_large = page_.style == PageStyle::kLarge &&
+                        width >= kLargeChars * 2 * kCharacterSide + 2 * kCursor &&
+                        height - top >= static_cast<int>(page_.rows.size()) * kLargeLine;
+  layout.letters = is_large ? 2 : 1;
+  layout.row_height = is_large ? kLargeLine : kLine;
+  int bottom = height;
+  if (has_help_ && height >= kRoomForHelp) {
+    layout.help_y = height - kHelpLines * (kCharacterSide + 1) - kGap;
+    bottom = layout.help_y - kGap;
+  }
+  layout.rows = is_large ? large_rows(canvas, top)
+                         : Box{kCursor, top, width - kCursor - kScrollBar, std::max(bottom - top, kLine)};
+  constexpr int kLeastDetails = 200;
+  if (page_.style == PageStyle::kDetails && width >= kLeastDetails) {
+    layout.rows.width = width / 2 - kCursor;
+    const int x = layout.rows.right() + kScrollBar + kGap;
+    layout.details = {x, top, width - kMargin - x, bottom - top};
+  }
+  constexpr int kMostLabel = 22, kLabelPercent = 56;
+  const auto chars = static_cast<int>(characters_in(layout.rows.width));
+  layout.value_x = layout.rows.x + std::min(kMostLabel, chars * kLabelPercent / 100) * kCharacterSide;
+  return layout;
+}
+
+void PageView::draw_text(const Canvas& canvas, const Layout& layout) {
+  const std::vector<std::string> lines = wrap(page_.text, characters_in(layout.rows.width));
+  set_lines(lines.size(), static_cast<std::size_t>(layout.rows.height / kLine));
+  int y = layout.rows.y;
+  for (std::size_t i = first_; i < std::min(lines.size(), first_ + room_); ++i, y += kLine) {
+    const std::string_view line = lines[i];
+    constexpr std::string_view kHeading = "# ";
+    if (line.starts_with(kHeading))
+      canvas.text(in_second_colour(line.substr(kHeading.size())), layout.rows.x, y);
+    else
+      canvas.text(line, layout.rows.x, y);
+  }
+  draw_scroll_bar(canvas, layout.rows);
+}
+
+void PageView::draw_rows(const Canvas& canvas, const Layout& layout, double time_s) {
+  set_lines(shown_.size(), static_cast<std::size_t>(layout.rows.height / layout.row_height));
+  RowPlace place;
+  place.value_x = layout.value_x;
+  place.letters = layout.letters;
+  place.time_s = time_s;
+  place.box = {layout.rows.x, layout.rows.y + 1, layout.rows.width, layout.row_height - 2};
+  for (std::size_t i = first_; i < std::min(shown_.size(), first_ + room_); ++i) {
+    place.selected = selected_ == i;
+    draw_row(canvas, place, i);
+    place.box.y += layout.row_height;
+  }
+  draw_scroll_bar(canvas, layout.rows);
+}
+
+void PageView::draw_row(const Canvas& canvas, const RowPlace& place, std::size_t position) {
+  const Row& row = row_at(position);
+  const Box& box = place.box;
+  const Box whole{box.x - kCursor, box.y - 1, box.width + kCursor, box.height + 2};
+  if (place.selected) {
+    canvas.highlight(whole);
+    canvas.text(std::string_view(&glyph::kArrow, 1), box.x - (place.letters == 1 ? 10 : kCursor), box.y,
+                place.letters);
+  }
+  row.draw(canvas, place);
+  Spot spot{position, canvas.to_frame(whole), {}, {}};
+  if (const std::optional<Box> slide = row.slide_box(place)) {
+    spot.slide = canvas.to_frame(*slide);
+    spot.value = canvas.to_frame({place.value_x, whole.y, whole.right() - place.value_x, whole.height});
+  }
+  spots_.push_back(spot);
+}
+
+void PageView::draw_scroll_bar(const Canvas& canvas, const Box& beside) {
+  if (lines_ <= room_) return;
+  constexpr int kWidth = 3, kShortest = 6;
+  const Box track{beside.right() + kScrollBar - kWidth - 1, beside.y, kWidth, beside.height};
+  Box thumb = track;
+  thumb.height = std::clamp(static_cast<int>(static_cast<double>(track.height) * static_cast<double>(room_) /
+                                             static_cast<double>(lines_)),
+                            std::min(kShortest, track.height), track.height);
+  thumb.y += static_cast<int>(static_cast<double>(track.height - thumb.height) * static_cast<double>(first_) /
+                              static_cast<double>(last_first()));
+  canvas.fill(track, kLight, kFaint);
+  canvas.fill(thumb, kLight, kStrong);
+  scroll_bar_ = canvas.to_frame({beside.right(), track.y, kScrollBar, track.height});
+}
+
+void PageView::draw_details(const Canvas& canvas, const Layout& layout) {
+  const Row* const row = selected_row();
+  if (row == nullptr || layout.details.width <= 0) return;
+  const RowDetails details = row->details();
+  const Box& box = layout.details;
+  int y = box.y;
+  if (details.picture != nullptr && details.picture->width > 0 && details.picture->height > 0) {
+    const Box picture_box{box.x, y, box.width, std::min(box.width * 5 / 8, box.height / 2 + kLine)};
+    canvas.fill(picture_box, kBlack);
+    draw_picture(canvas, *details.picture, picture_box);
+    y = picture_box.bottom() + kGap;
+  }
+  for (const std::string& paragraph : details.paragraphs)
+    for (const std::string& line : wrap(paragraph, std::max<std::size_t>(characters_in(box.width), 1))) {
+      if (y + kCharacterSide > box.bottom()) return;
+      canvas.text(line, box.x, y);
+      y += kLine;
+    }
+}
+
+void PageView::draw_picture(const Canvas& canvas, const formats::Picture& picture, const Box& box) {
+  const Box frame_box = canvas.to_frame(box);
+  const auto [width, height] = fitted(picture, frame_box.width, frame_box.height);
+  const auto to_u32 = [](int side) { return static_cast<std::uint32_t>(side); };
+  thumbnail_.width = to_u32(width);
+  thumbnail_.height = to_u32(height);
+  thumbnail_.pixels.clear();
+  for (std::uint64_t y = 0; y < thumbnail_.height; ++y) {
+    const std::uint64_t row = (2 * y + 1) * picture.height / (2 * thumbnail_.height) * picture.width;
+    for (std::uint64_t x = 0; x < thumbnail_.width; ++x)
+      thumbnail_.pixels.push_back(picture.pixels[row + (2 * x + 1) * picture.width / (2 * thumbnail_.width)]);
+  }
+  canvas.own_pixels(thumbnail_, box);
+}
+
+void PageView::draw_picture_below(const Canvas& canvas, const Layout& layout) {
+  const formats::Picture* const picture = page_.picture ? page_.picture() : nullptr;
+  const Box& rows = layout.rows;
+  const int used = static_cast<int>(std::min(lines_, room_)) * layout.row_height + kLine;
+  if (picture == nullptr || rows.height - used < static_cast<int>(picture->height)) return;
+  draw_picture(canvas, *picture, {rows.x, rows.y + used, rows.width, static_cast<int>(picture->height)});
+}
+
+void PageView::draw_help(const Canvas& canvas, const Layout& layout) const {
+  if (layout.help_y == 0 || !selected_) return;
+  int y = layout.help_y;
+  const std::size_t chars = characters_in(canvas.width() - 2 * kMargin);
+  for (const std::string& line : wrap(row_at(*selected_).help(), chars, kHelpLines)) {
+    canvas.text(in_second_colour(line), kMargin, y);
+    y += kCharacterSide + 1;
+  }
+}
+
+}  // namespace temblor::client

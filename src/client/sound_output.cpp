@@ -1,0 +1,82 @@
+#include "client/sound_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+namespace temblor::client {
+namespace {
+
+constexpr double kTryAgain_s = 2;
+constexpr double kLongestStep_s = 0.1;
+
+}  // namespace
+
+SoundOutput::SoundOutput(OpenAudioDevice open) : open_(std::move(open)) {
+  unheard_.resize(2 * static_cast<std::size_t>(kLongestStep_s * audio::kFramesPerSecond));
+}
+
+void SoundOutput::look_after_device(double time_s) {
+  if (device_ && device_->is_lost()) {
+    notes_.push_back(fmt::format("the sound device has gone ({})", device_->describe()));
+    device_.reset();
+    is_missing_ = true;
+    next_try_s_.reset();
+  }
+  if (device_ || (next_try_s_ && time_s < *next_try_s_)) return;
+  base::Result<std::unique_ptr<platform::AudioDevice>> device =
+      open_([this](std::span<float> samples) { mixer_.fill(samples); });
+  next_try_s_ = time_s + kTryAgain_s;
+  if (device.ok()) {
+    device_ = std::move(device).value();
+    if (is_missing_) notes_.push_back(fmt::format("sound again: {}", device_->describe()));
+  } else if (!is_missing_) {
+    notes_.push_back(fmt::format("{}; going on without sound", device.error().message()));
+  }
+  is_missing_ = !device_;
+}
+
+// What would have been heard is thrown away.
+void SoundOutput::pass_without_device(double time_s) {
+  const double passed_s = std::clamp(time_s - time_s_, 0.0, kLongestStep_s);
+  const auto frames = static_cast<std::size_t>(passed_s * audio::kFramesPerSecond);
+  mixer_.fill(std::span(unheard_).first(2 * frames));
+}
+
+void SoundOutput::advance(double time_s, const audio::Scene& scene, const audio::SoundEvents& events) {
+  look_after_device(time_s);
+  mixer_.post(scene, events);
+  if (!device_) pass_without_device(time_s);
+  time_s_ = time_s;
+  if (mixer_.music_has_failed() && !has_noted_music_) {
+    has_noted_music_ = true;
+    notes_.push_back(fmt::format("the music of track {} is damaged; it stops there", track_));
+  }
+}
+
+void SoundOutput::play_music(const assets::Library& library, int track) {
+  if (track == track_) return;
+  track_ = track;
+  has_noted_music_ = false;
+  base::Result<assets::MusicFile> file = library.music(track);
+  if (track == 0 || !file.ok()) {
+    // Most installations have no music, or not all of it.
+    if (track != 0 && file.error().code != base::ErrorCode::kNotFound)
+      notes_.push_back(file.error().message());
+    return mixer_.play_music(std::nullopt);
+  }
+  base::Result<audio::MusicDecoder> music =
+      audio::MusicDecoder::open(std::move(file->bytes)).with_file(file->name);
+  if (!music.ok()) {
+    notes_.push_back(fmt::format("{}; no music", music.error().message()));
+    return mixer_.play_music(std::nullopt);
+  }
+  mixer_.play_music(std::move(music).value());
+}
+
+std::string SoundOutput::describe() const {
+  return device_ ? device_->describe() : "no sound device";
+}
+
+}  // namespace temblor::client

@@ -1,0 +1,70 @@
+#include "host/configuration.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "vfs/disk.h"
+
+namespace temblor::host {
+namespace {
+
+constexpr std::uint64_t kMaxCommandFileBytes = 1 << 20;
+constexpr std::string_view kStockConfiguration = "config.cfg";
+
+bool is_text(std::string_view text) {
+  return std::none_of(text.begin(), text.end(), [](char c) {
+    return c == 0 || (static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\r' && c != '\n');
+  });
+}
+
+}  // namespace
+
+base::Result<std::string> read_commands(const vfs::FileSystem& files, std::string_view name) {
+  const std::optional<std::string> normalized = vfs::normalized_name(name);
+  if (!normalized)
+    return base::error(base::ErrorCode::kUsage, "\"{}\" is no name of a file in the game folders", name);
+  // What was written since the folders were read is not in their tables.
+  base::Result<base::ByteVector> bytes =
+      vfs::read_disk_file(files.folders().back() / *normalized, kMaxCommandFileBytes);
+  if (!bytes.ok()) bytes = files.read(name);
+  if (!bytes.ok()) return bytes.error();
+  std::string text(base::as_text(*bytes));
+  if (text.size() > kMaxCommandFileBytes || !is_text(text))
+    return base::malformed("{} is not a file of commands", name);
+  return text;
+}
+
+std::optional<std::string> configuration_to_run(const vfs::FileSystem& files) {
+  std::error_code ignored;
+  for (const std::string_view name : {kConfigurationFile, kStockConfiguration})
+    if (std::filesystem::exists(files.folders().back() / name, ignored) || files.contains(name))
+      return std::string(name);
+  return std::nullopt;
+}
+
+base::Status keep_damaged(const vfs::FileSystem& files, std::string_view name) {
+  const base::Result<std::string> text = read_commands(files, name);
+  if (text.ok() || text.error().code == base::ErrorCode::kNotFound) return base::Ok{};
+  const std::filesystem::path file = files.folders().back() / name;
+  std::filesystem::path aside = file;
+  aside += ".damaged";
+  std::error_code failure;
+  std::filesystem::rename(file, aside, failure);
+  if (failure) return base::error(base::ErrorCode::kIo, "{}: {}", file.string(), failure.message());
+  return base::Ok{};
+}
+
+std::string read_history(const std::filesystem::path& folder) {
+  const base::Result<base::ByteVector> bytes =
+      vfs::read_disk_file(folder / kHistoryFile, kMaxCommandFileBytes);
+  return bytes.ok() ? std::string(base::as_text(*bytes)) : std::string();
+}
+
+std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables) {
+  return fmt::format(
+      "// Written by Temblor when it ends; autoexec.cfg is run after it and never written.\n{}{}",
+      bindings.to_text(), variables.to_text());
+}
+
+}  // namespace temblor::host

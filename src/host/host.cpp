@@ -1,0 +1,243 @@
+#include "host/host.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "command/text.h"
+#include "host/host_commands.h"
+
+namespace temblor::host {
+namespace {
+
+constexpr double kUnknownRefreshRate_hz = 60;
+constexpr double kHiddenRate_hz = 10;  // nobody looks
+// A server tells of a turn several times, lest one is lost.
+constexpr double kSameTurn_s = 0.1;
+
+}  // namespace
+
+Host::Host(Services services, const HostVariables& variables, HostOptions options)
+    : services_(std::move(services)),
+      variables_(variables),
+      options_(std::move(options)),
+      console_(variables.variables(), [this](std::string_view line) { print(line); }),
+      console_ui_(
+          {.complete = [this](std::string_view line) { return console_.complete_line(line); },
+           .read_clipboard = [this] { return services_.window.clipboard(); },
+           .write_clipboard = [this](std::string_view text) { services_.window.set_clipboard(text); }}),
+      search_(services_) {}
+
+Host::~Host() {
+  worker_.wait();
+}
+
+base::Result<std::unique_ptr<Host>> Host::start(Services services, const HostVariables& variables,
+                                                HostOptions options) {
+  std::unique_ptr<Host> host(new Host(std::move(services), variables, std::move(options)));
+  TRY_STATUS(host->open());
+  return host;
+}
+
+base::Status Host::open() {
+  now_s_ = services_.window.now_s();
+  TRY(data_, GameData::open(options_.folders));
+  take_up_data();
+  client::add_binding_commands(console_, bindings_, [this](std::string_view line) { print(line); });
+  client::add_input_commands(console_, input_, event_time_s_, [this](std::string_view line) { print(line); });
+  add_host_commands(*this);
+  TRY_STATUS(configure());
+  return base::Ok{};
+}
+
+void Host::print(std::string_view line) {
+  services_.print_line(line);
+  console_ui_.print_utf8(fmt::format("{}\n", line), now_s_);
+}
+
+bool Host::frame() {
+  const double rate_hz = variables_.frames_per_second();
+  const double display_hz = services_.window.refresh_rate_hz();
+  const double limit_hz = !services_.window.is_visible() ? kHiddenRate_hz
+                          : rate_hz > 0                  ? rate_hz
+                          : display_hz > 0               ? display_hz
+                                                         : kUnknownRefreshRate_hz;
+  limiter_.wait(limit_hz, [this] { return services_.window.now_s(); });
+  const double before_s = std::exchange(now_s_, services_.window.now_s());
+  times_.frame_s = now_s_ - before_s;
+
+  take_input();
+  event_time_s_ = now_s_;
+  console_.run();
+  follow_variables();
+  read_server();
+  look_and_move();
+  if (const base::Status status = demo_ ? show_demo() : make_scene(); !status.ok()) {
+    print(status.error().message());
+    disconnect();
+  }
+  draw();
+  if (wants_to_quit_) leave();
+  return !wants_to_quit_;
+}
+
+void Host::leave() {
+  disconnect();
+  if (const base::Status saved = save_configuration(); !saved.ok()) print(saved.error().message());
+}
+
+void Host::take_input() {
+  events_.clear();
+  services_.window.poll(events_);
+  oldest_event_s_.reset();
+  for (const platform::InputEvent& event : events_) take_event(event);
+}
+
+void Host::take_event(const platform::InputEvent& event) {
+  event_time_s_ = event.time_s;
+  if (!oldest_event_s_) oldest_event_s_ = event.time_s;
+  const bool was_in_game = is_in_game();
+  if (take_by_console_or_menu(event)) {
+    // Whatever was held when it opened will not be heard of again.
+    if (was_in_game) console_.append(held_.release_all());
+    return;
+  }
+  if (const auto* key = std::get_if<platform::KeyChange>(&event.what)) {
+    take_key(*key);
+  } else if (const auto* mouse = std::get_if<platform::MouseMoved>(&event.what)) {
+    input_.add_mouse(mouse->right, mouse->down);
+  } else if (const auto* axis = std::get_if<platform::PadAxisMoved>(&event.what)) {
+    input_.set_axis(axis->axis, axis->value);
+  } else if (const auto* pad = std::get_if<platform::PadChanged>(&event.what)) {
+    print(fmt::format("{} {}", pad->name, pad->connected ? "is connected" : "is gone"));
+    if (!pad->connected) console_.append(held_.release_all());
+  } else if (const auto* focus = std::get_if<platform::FocusChanged>(&event.what)) {
+    has_focus_ = focus->focused;
+    if (!has_focus_) console_.append(held_.release_all());
+  } else if (const auto* changed = std::get_if<platform::WindowChanged>(&event.what)) {
+    take_size(*changed);
+  } else if (std::holds_alternative<platform::CloseRequested>(event.what)) {
+    quit();
+  }
+}
+
+bool Host::take_by_console_or_menu(const platform::InputEvent& event) {
+  bool taken = console_ui_.handle(event);
+  if (!taken) taken = menu_->handle(event);
+  for (const std::string& line : console_ui_.take_commands()) console_.append(line);
+  for (const std::string& line : menu_->take_commands()) console_.append(line);
+  return taken;
+}
+
+// The player has pulled at the window: that is how large he wants it from now on.
+void Host::take_size(const platform::WindowChanged& changed) {
+  if (window_settings_.mode != platform::WindowMode::kWindowed) return;
+  window_settings_.size = {std::max(1, changed.width), std::max(1, changed.height)};
+  command::Variables& variables = variables_.variables();
+  for (const auto& [name, value] : {std::pair{"vid_width", window_settings_.size.width},
+                                    std::pair{"vid_height", window_settings_.size.height}})
+    if (const base::Status set = variables.set(name, std::to_string(value)); !set.ok())
+      print(set.error().message());
+}
+
+void Host::take_key(const platform::KeyChange& key) {
+  if (key.repeated) return;
+  if (key.down && key.key == platform::Key::kEscape) return toggle_menu();
+  if (key.down && demo_ && take_demo_key(key.key)) return;
+  if (!key.down)
+    console_.append(held_.release(key.key));
+  else
+    console_.append(held_.press(key.key, bindings_.commands(key.key)));
+  // At once, so that what happens in one frame keeps its order and its times.
+  console_.run();
+}
+
+void Host::follow_variables() {
+  const platform::WindowSettings wanted = variables_.window();
+  if (wanted != window_settings_) {
+    if (const base::Status applied = services_.window.apply(wanted); !applied.ok())
+      print(applied.error().message());
+    window_settings_ = wanted;
+  }
+  tell_player();
+  services_.window.capture_mouse(has_focus_ && is_in_game() && (session_->is_playing() || flies_));
+  const bool takes_text = console_ui_.takes_text() || menu_->wants_text();
+  if (takes_text != takes_text_) services_.window.take_text(takes_text);
+  takes_text_ = takes_text;
+  if (search_.update(now_s_)) menu_->refresh();
+}
+
+// Who changes his name or colours does so in the game that runs.
+void Host::tell_player() {
+  client::PlayerSettings player = variables_.player();
+  if (client::Connection* const connection = session_->connection(); connection != nullptr) {
+    if (player.name != player_.name) connection->send_command(command::join_words({"name", player.name}));
+    if (player.shirt != player_.shirt || player.pants != player_.pants)
+      connection->send_command(fmt::format("color {} {}", player.shirt, player.pants));
+  }
+  player_ = std::move(player);
+}
+
+void Host::read_server() {
+  if (const std::optional<std::string> lost = session_->read(now_s_)) print(*lost);
+  if (client::Connection* const connection = session_->connection()) {
+    for (const std::string& text : connection->state().events().prints) print_part(text);
+    for (const std::string& line : connection->take_commands())
+      if (session_->server() != nullptr || may_be_stuffed(line)) console_.append(line);
+  }
+  print_part(session_->take_server_output());
+}
+
+// Text of the game, in its own letters.
+void Host::print_part(std::string_view text) {
+  console_ui_.print(text, now_s_);
+  for (const char c : text) {
+    if (c == '\n')
+      services_.print_line(std::exchange(line_, {}));
+    else
+      line_ += c;
+  }
+}
+
+void Host::look_and_move() {
+  const ZoomSettings zoom = variables_.zoom();
+  const bool zooms = input_.buttons()[client::Button::kZoom].is_down();
+  const auto step = static_cast<float>(zoom.speed * times_.frame_s);
+  zoom_ = std::clamp(zoom_ + (zooms ? step : -step), 0.0f, 1.0f);
+  fov_deg_ = zoom.fov_deg + (zoom.zoom_fov_deg - zoom.fov_deg) * zoom_;
+
+  const client::InputSettings settings = variables_.input();
+  if (flies_) return fly(settings);
+  if (!session_->is_playing()) return;
+  const client::Game& game = session_->connection()->state().game();
+  const bool is_same_turn = game.set_angles_deg == turned_to_deg_ && now_s_ - turned_s_ < kSameTurn_s;
+  if (game.turns != turns_ && !is_same_turn) {
+    input_.set_view_angles(game.set_angles_deg);
+    turned_to_deg_ = game.set_angles_deg;
+    turned_s_ = now_s_;
+  }
+  turns_ = game.turns;
+  const auto half_width = [](float fov_deg) { return std::tan(fov_deg * 0.00872665f); };
+  input_.look({.time_s = now_s_,
+               .zoom = half_width(zoom.fov_deg) / half_width(fov_deg_),
+               .ideal_pitch_deg = game.data.ideal_pitch_deg,
+               .may_drift = game.data.on_ground},
+              settings);
+  send_moves(settings);
+}
+
+// A move of a slow frame is one of several ticks.
+void Host::send_moves(const client::InputSettings& settings) {
+  if (is_halted()) return;
+  int due = session_->moves_due(now_s_);
+  net::Move move = due > 0 ? input_.take_move(now_s_, settings) : input_.peek_move(now_s_, settings);
+  for (; due > 0; --due) {
+    session_->send_move(move, now_s_);
+    move.impulse = 0;
+  }
+  prediction_.begin_frame(*session_->connection(), move, session_->move_clock_s(now_s_));
+}
+
+}  // namespace temblor::host

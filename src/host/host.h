@@ -1,0 +1,191 @@
+// The game in a window: owns everything, and does it in a fixed order, frame by frame.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/bindings.h"
+#include "client/console_ui.h"
+#include "client/demo_session.h"
+#include "client/free_camera.h"
+#include "client/menu.h"
+#include "client/player_input.h"
+#include "client/prediction.h"
+#include "client/presentation.h"
+#include "command/console.h"
+#include "host/frame_limiter.h"
+#include "host/game_data.h"
+#include "host/host_variables.h"
+#include "host/menu_lists.h"
+#include "host/screen.h"
+#include "host/server_search.h"
+#include "host/services.h"
+#include "host/session.h"
+#include "host/worker.h"
+
+namespace temblor::host {
+
+struct HostOptions {
+  GameFolders folders;
+  std::filesystem::path program_file{};  // the game's code; empty: the game folders' progs.dat
+  std::vector<std::string> commands{};   // run once the configuration is
+  std::string version{};                 // "Temblor 1.0", for the console
+  // Set again after the configuration: what the command line says.
+  std::function<base::Status()> apply_overrides{};
+};
+
+// Of the last frame.
+struct FrameTimes {
+  double frame_s = 0;    // from the frame before to this one
+  double drawing_s = 0;  // scene to finished picture
+  double present_s = 0;  // handing it to the window
+  double latency_s = 0;  // from the oldest event in it to its being handed over; 0: there was none
+};
+
+// A recording that is being measured.
+struct TimedDemo {
+  std::string name;
+  double began_s = 0;
+  int frames = 0;
+};
+
+class Host {
+ public:
+  // Fails where the game folders or the window cannot be used.
+  static base::Result<std::unique_ptr<Host>> start(Services services, const HostVariables& variables,
+                                                   HostOptions options);
+  ~Host();
+  Host(const Host&) = delete;
+  Host& operator=(const Host&) = delete;
+
+  // One frame. False: it is over; the configuration is saved then.
+  bool frame();
+  const FrameTimes& times() const { return times_; }
+
+  // --- For commands (host_commands.h adds them).
+  command::Console& console() { return console_; }
+  client::ConsoleUi& console_ui() { return console_ui_; }
+  void print(std::string_view line);
+  void open_menu(client::MenuPage page);
+  void toggle_menu();
+  base::Status start_map(std::string_view map);
+  base::Status load_game(std::string_view name);
+  base::Status save_game(std::string_view name);
+  base::Status connect(std::string_view address);
+  void disconnect();
+  void quit() { wants_to_quit_ = true; }
+  base::Status screenshot(std::string_view file);
+  // Recordings: watched, and measured by drawing every update as fast as can be.
+  base::Status play_demo(std::string_view name);
+  base::Status time_demo(std::string_view name);
+  void stop_demo();
+  client::DemoSession* demo() { return demo_ ? &*demo_ : nullptr; }
+  base::Status seek_demo(double time_s);
+  base::Status record(std::string_view name);
+  base::Status stop_recording();
+  base::Status save_configuration();
+  base::Status dump_console(std::string_view file);
+  Session& session() { return *session_; }
+  const client::PlayerInput& input() const { return input_; }
+  const GameData& data() const { return *data_; }
+  const HostVariables& variables() const { return variables_; }
+  client::Bindings& bindings() { return bindings_; }
+
+  // --- For the menus (menu_lists.h).
+  const GameFolders& folders() const { return options_.folders; }
+  const platform::Window& window() const { return services_.window; }
+  bool can_save();
+  // What leaving now would lose, for the player; empty: nothing.
+  std::string unsaved();
+  void search_servers();
+  const std::vector<client::MenuServer>& found_servers() const { return search_.found(); }
+  // A camera that flies through a recording, or the player's view again.
+  void toggle_camera();
+  // Another set of game folders, without a restart; the game that is running ends.
+  base::Status change_games(std::vector<std::string> games);
+
+ private:
+  Host(Services services, const HostVariables& variables, HostOptions options);
+  base::Status open();
+  void take_up_data();
+  base::Status configure();
+  void leave();
+  base::Status stop_recording_if_any();
+  void keep_picture(const render::FrameBuffer& frame);
+  base::Status open_own_server(std::uint32_t max_clients);
+  base::Status take_up(base::Status started);
+
+  // A frame's parts, in order.
+  void take_input();
+  void take_event(const platform::InputEvent& event);
+  bool take_by_console_or_menu(const platform::InputEvent& event);
+  void take_key(const platform::KeyChange& key);
+  bool take_demo_key(platform::Key key);
+  void take_size(const platform::WindowChanged& changed);
+  void follow_variables();
+  void tell_player();
+  void read_server();
+  void look_and_move();
+  void send_moves(const client::InputSettings& settings);
+  void fly(const client::InputSettings& settings);
+  base::Status make_scene();
+  base::Status show_demo();
+  void draw();
+  void draw_view(render::FrameBuffer& io_frame);
+  void draw_over(const render::FrameBuffer& frame);
+  bool is_in_game() const { return !console_ui_.takes_text() && !(menu_ && menu_->is_open()); }
+  bool has_view() const;
+  void print_part(std::string_view text);
+  bool is_halted() const;
+
+  Services services_;
+  const HostVariables& variables_;
+  HostOptions options_;
+  command::Console console_;
+  client::ConsoleUi console_ui_;
+  client::Bindings bindings_;
+  client::HeldKeys held_;
+  client::PlayerInput input_;
+  std::unique_ptr<GameData> data_;
+  client::Prediction prediction_;
+  std::unique_ptr<MenuLists> menu_lists_;
+  std::optional<client::Menu> menu_;
+  std::unique_ptr<Session> session_;
+  std::optional<client::DemoSession> demo_;
+  std::optional<TimedDemo> timed_;
+  std::string recording_name_;  // empty: none is being made
+  std::string picture_wanted_;  // of the saved game of this name; empty: none
+  ServerSearch search_;
+  Screen screen_;
+  Worker worker_;
+  FrameLimiter limiter_;
+  FrameTimes times_;
+  std::vector<platform::InputEvent> events_;
+  double now_s_ = 0;
+  double event_time_s_ = 0;  // of what is being taken
+  std::optional<double> oldest_event_s_;
+  platform::WindowSettings window_settings_;
+  client::PlayerSettings player_;  // as the server knows him
+  render::DrawList overlay_;
+  client::PresentationSettings presentation_settings_;  // of this frame
+  float zoom_ = 0;                                      // 0: not at all, 1: all the way
+  float fov_deg_ = 90;
+  std::uint32_t turns_ = 0;  // by the server, as far as followed
+  math::Vec3 turned_to_deg_{0.0f};
+  double turned_s_ = 0;
+  std::string line_;                // printed in part
+  client::FreeCamera free_camera_;  // of a recording, while it flies
+  bool flies_ = false;
+  struct {
+    int frames = 0;
+    double seconds = 0, worst_latency_s = 0;
+  } speed_;
+  std::string speed_text_, latency_text_;
+  bool has_focus_ = true, takes_text_ = false;
+  double saved_s_ = 0;  // when the game was last saved, or begun
+  bool wants_to_quit_ = false;
+};
+
+}  // namespace temblor::host

@@ -1,0 +1,106 @@
+// The picture of a frame: the view, what lies over it, the window.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "client/corner_text.h"
+#include "host/host.h"
+
+namespace temblor::host {
+namespace {
+
+constexpr std::uint8_t kBlack = 0;
+constexpr double kSpeedShownFor_s = 0.5;
+
+}  // namespace
+
+base::Status Host::make_scene() {
+  if (!session_->is_playing()) return base::Ok{};
+  presentation_settings_ = variables_.presentation();
+  presentation_settings_.view.fov_deg = fov_deg_;
+  client::ClientState& state = session_->connection()->state();
+  data_->presentation.follow(&prediction_);
+  TRY_STATUS(data_->presentation.advance(state, session_->time_s(), input_.view_angles_deg(),
+                                         presentation_settings_));
+  for (const std::string& note : data_->presentation.take_notes()) print(note);
+  return base::Ok{};
+}
+
+bool Host::has_view() const {
+  return (demo_ || session_->is_playing()) && data_->presentation.has_level();
+}
+
+void Host::draw() {
+  const double began_s = services_.window.now_s();
+  const ScreenSettings settings = variables_.screen();
+  render::FrameBuffer& frame = screen_.begin(services_.window.size(), settings);
+  const auto step = [this] { session_->step_server(now_s_, is_halted()); };
+  const bool beside = variables_.is_parallel() && session_->server() != nullptr;
+  if (beside) worker_.begin(step);
+  draw_view(frame);
+  times_.drawing_s = services_.window.now_s() - began_s;
+  const base::Status shown = screen_.show(data_->look.palette, settings, times_.drawing_s, services_.window);
+  const double presented_s = services_.window.now_s();
+  times_.present_s = presented_s - began_s - times_.drawing_s;
+  times_.latency_s = oldest_event_s_ ? presented_s - *oldest_event_s_ : 0;
+  if (beside)
+    worker_.wait();
+  else
+    step();
+  if (!shown.ok()) print(shown.error().message());
+}
+
+void Host::draw_view(render::FrameBuffer& io_frame) {
+  render::FrameStats stats;
+  overlay_.clear();
+  if (has_view() && !console_ui_.covers_frame()) {
+    render::Scene scene = data_->presentation.scene();
+    if (flies_) {
+      scene.camera = free_camera_.camera();
+      scene.view_weapon = nullptr;
+    }
+    stats = data_->renderer.render(scene, variables_.render(), io_frame);
+    if (!picture_wanted_.empty()) keep_picture(io_frame);
+    const client::ClientState& state = demo_ ? demo_->state() : session_->connection()->state();
+    if (!flies_)
+      overlay_ =
+          data_->presentation.draw_list(state, io_frame.width(), io_frame.height(), presentation_settings_);
+  } else {
+    overlay_.commands.push_back({.area = {0, 0, io_frame.width(), io_frame.height()}, .fill = kBlack});
+  }
+  draw_over(io_frame);
+  data_->renderer.draw_overlay(overlay_, io_frame, stats);
+}
+
+// Console and menus, and what is measured.
+void Host::draw_over(const render::FrameBuffer& frame) {
+  const bool menu_is_open = menu_->is_open();
+  const client::ConsoleView view{.pictures = data_->presentation.pictures(),
+                                 .time_s = now_s_,
+                                 .game_runs = has_view() || menu_is_open,
+                                 .version = options_.version,
+                                 .settings = variables_.console()};
+  console_ui_.draw(view, frame.width(), frame.height(), overlay_);
+  menu_->draw(frame.width(), frame.height(), now_s_, overlay_);
+  speed_.frames += 1;
+  speed_.seconds += times_.frame_s;
+  speed_.worst_latency_s = std::max(speed_.worst_latency_s, times_.latency_s);
+  if (speed_.seconds >= kSpeedShownFor_s) {
+    speed_text_ = fmt::format("{:.0f} fps", speed_.frames / speed_.seconds);
+    latency_text_ = fmt::format("{:.1f} ms", speed_.worst_latency_s * 1000);
+    speed_ = {};
+  }
+  int line = 0;
+  for (const std::string* text : {variables_.shows_speed() ? &speed_text_ : nullptr,
+                                  variables_.shows_latency() ? &latency_text_ : nullptr})
+    if (text != nullptr)
+      client::draw_corner_text(data_->presentation.pictures(), *text, line++, frame.width(), frame.height(),
+                               overlay_);
+}
+
+// Time stands still for a single player who looks at something else.
+bool Host::is_halted() const {
+  return session_->is_alone() && session_->is_playing() && !is_in_game();
+}
+
+}  // namespace temblor::host

@@ -1,0 +1,37 @@
+// What the menus show of the host and its files.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "client/menu_content.h"
+#include "host/thumbnails.h"
+
+namespace temblor::host {
+
+class Host;
+
+class MenuLists {
+ public:
+  // Both must outlive it.
+  MenuLists(Host& host, const GameData& data);
+  client::MenuContent content();
+  Thumbnails& thumbnails() { return thumbnails_; }
+
+ private:
+  std::vector<client::MenuLevel> levels();
+  std::vector<client::MenuSave> saves() const;
+  std::vector<client::MenuDemo> demos() const;
+  std::vector<client::MenuGameFolder> game_folders() const;
+
+  Host& host_;
+  const GameData& data_;
+  Thumbnails thumbnails_;
+  std::vector<client::MenuLevel> levels_;  // read once
+};
+
+// Files of the last game folder as it is now whose names end so, without that ending; newest first.
+std::vector<std::string> written_files(const GameData& data, std::string_view suffix);
+
+}  // namespace temblor::host

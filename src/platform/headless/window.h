@@ -1,0 +1,68 @@
+// A window without a display: for tests, measurements and machines that have none. Events are put in by hand.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "platform/window.h"
+
+namespace temblor::platform::headless {
+
+class HeadlessWindow : public Window {
+ public:
+  explicit HeadlessWindow(const WindowSettings& settings) : settings_(settings) {}
+
+  // For the next poll().
+  void put(decltype(InputEvent::what) what) { events_.push_back({now_s(), std::move(what)}); }
+  // From here on the clock stands at this time; without it, it is a real one.
+  void set_now(double now_s) { set_now_s_ = now_s; }
+  const std::vector<std::uint32_t>& shown() const { return shown_; }
+  PixelSize shown_size() const { return shown_size_; }
+  std::uint64_t pictures() const { return pictures_; }
+  bool is_mouse_captured() const { return captured_; }
+  bool takes_text() const { return takes_text_; }
+  const WindowSettings& settings() const { return settings_; }
+
+  base::Status apply(const WindowSettings& settings) override {
+    if (settings.size != settings_.size) put(WindowChanged{settings.size.width, settings.size.height});
+    settings_ = settings;
+    return base::Ok{};
+  }
+  void poll(std::vector<InputEvent>& io_events) override {
+    for (InputEvent& event : std::exchange(events_, {})) io_events.push_back(std::move(event));
+  }
+  double now_s() const override {
+    if (set_now_s_) return *set_now_s_;
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+  PixelSize size() const override { return settings_.size; }
+  bool is_visible() const override { return true; }
+  base::Status present(const Picture& picture) override {
+    shown_.assign(picture.pixels.begin(), picture.pixels.end());
+    shown_size_ = picture.size;
+    ++pictures_;
+    return base::Ok{};
+  }
+  void capture_mouse(bool captured) override { captured_ = captured; }
+  void take_text(bool wanted) override { takes_text_ = wanted; }
+  std::string clipboard() const override { return clipboard_; }
+  void set_clipboard(std::string_view text) override { clipboard_ = text; }
+  void rumble(float, float, double) override {}
+  double refresh_rate_hz() const override { return 0; }
+  std::vector<PixelSize> full_screen_sizes() const override { return {settings_.size}; }
+  int displays() const override { return 1; }
+  std::string describe() const override { return "no display"; }
+
+ private:
+  WindowSettings settings_;
+  std::vector<InputEvent> events_;
+  std::optional<double> set_now_s_;
+  std::vector<std::uint32_t> shown_;
+  PixelSize shown_size_;
+  std::uint64_t pictures_ = 0;
+  bool captured_ = false, takes_text_ = false;
+  std::string clipboard_;
+};
+
+}  // namespace temblor::platform::headless

@@ -1,0 +1,142 @@
+#include "platform/sdl2/presenters.h"
+
+#include <SDL_opengl.h>
+
+#include <array>
+#include <cstring>
+#include <string_view>
+
+#include "platform/sdl2/library.h"
+
+namespace temblor::platform::sdl2 {
+namespace {
+
+struct FreeSurface {
+  void operator()(SDL_Surface* surface) const { SDL_FreeSurface(surface); }
+};
+using Surface = std::unique_ptr<SDL_Surface, FreeSurface>;
+
+// SDL reads through it only.
+Surface view_of(const Picture& picture) {
+  return Surface(SDL_CreateRGBSurfaceWithFormatFrom(
+      const_cast<std::uint32_t*>(picture.pixels.data()), picture.size.width, picture.size.height, 32,
+      picture.size.width * static_cast<int>(sizeof(std::uint32_t)), SDL_PIXELFORMAT_RGB888));
+}
+
+class SurfacePresenter : public PicturePresenter {
+ public:
+  explicit SurfacePresenter(SDL_Window* window) : window_(window) {}
+
+  base::Status present(const Picture& picture) override {
+    // SDL keeps it, and makes a new one when the window's size has changed.
+    SDL_Surface* const surface = SDL_GetWindowSurface(window_);
+    if (surface == nullptr) return sdl_error("the window's surface");
+    const bool is_same = surface->w == picture.size.width && surface->h == picture.size.height &&
+                         surface->format->BytesPerPixel == sizeof(std::uint32_t) &&
+                         surface->format->Rmask == 0xff0000 && surface->format->Bmask == 0xff;
+    if (is_same)
+      copy_rows(picture, *surface);
+    else if (!draw_scaled(picture, surface))
+      return sdl_error("the window's surface");
+    if (SDL_UpdateWindowSurface(window_) != 0) return sdl_error("the window's surface");
+    return base::Ok{};
+  }
+
+  void set_vsync(bool) override {}  // a surface is shown when the display's compositor comes to it
+  std::string describe() const override {
+    return fmt::format("{}, shared memory", SDL_GetCurrentVideoDriver());
+  }
+
+ private:
+  static void copy_rows(const Picture& picture, SDL_Surface& io_surface) {
+    const auto width = static_cast<std::size_t>(picture.size.width);
+    auto* row = static_cast<std::uint8_t*>(io_surface.pixels);
+    for (int y = 0; y < picture.size.height; ++y, row += io_surface.pitch)
+      std::memcpy(row, picture.pixels.data() + static_cast<std::size_t>(y) * width,
+                  width * sizeof(std::uint32_t));
+  }
+
+  bool draw_scaled(const Picture& picture, SDL_Surface* io_surface) {
+    const Surface source = view_of(picture);
+    if (!source) return false;
+    if (io_surface->format->format == SDL_PIXELFORMAT_RGB888)
+      return SDL_SoftStretchLinear(source.get(), nullptr, io_surface, nullptr) == 0;
+    return SDL_BlitScaled(source.get(), nullptr, io_surface, nullptr) == 0;
+  }
+
+  SDL_Window* window_;
+};
+
+struct DestroyRenderer {
+  void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
+};
+struct DestroyTexture {
+  void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
+};
+
+class RendererPresenter : public PicturePresenter {
+ public:
+  explicit RendererPresenter(std::unique_ptr<SDL_Renderer, DestroyRenderer> renderer)
+      : renderer_(std::move(renderer)) {}
+
+  base::Status present(const Picture& picture) override {
+    if (!texture_ || size_ != picture.size) {
+      SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "linear");
+      texture_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB888, SDL_TEXTUREACCESS_STREAMING,
+                                       picture.size.width, picture.size.height));
+      size_ = picture.size;
+    }
+    const int pitch = picture.size.width * static_cast<int>(sizeof(std::uint32_t));
+    if (!texture_ || SDL_UpdateTexture(texture_.get(), nullptr, picture.pixels.data(), pitch) != 0 ||
+        SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, nullptr) != 0)
+      return sdl_error("the display's renderer");
+    SDL_RenderPresent(renderer_.get());
+    return base::Ok{};
+  }
+
+  void set_vsync(bool vsync) override { SDL_RenderSetVSync(renderer_.get(), vsync ? 1 : 0); }
+
+  std::string describe() const override {
+    SDL_RendererInfo info;
+    const bool is_known = SDL_GetRendererInfo(renderer_.get(), &info) == 0;
+    return fmt::format("{}, {}", SDL_GetCurrentVideoDriver(), is_known ? info.name : "renderer");
+  }
+
+ private:
+  std::unique_ptr<SDL_Renderer, DestroyRenderer> renderer_;
+  std::unique_ptr<SDL_Texture, DestroyTexture> texture_;
+  PixelSize size_;
+};
+
+// SDL calls every OpenGL accelerated, Mesa's renderers on the processor included.
+bool is_software(SDL_Renderer* renderer) {
+  SDL_RendererInfo info;
+  if (SDL_GetRendererInfo(renderer, &info) != 0 || (info.flags & SDL_RENDERER_ACCELERATED) == 0) return true;
+  using GetString = const GLubyte*(APIENTRY*)(GLenum);
+  const auto get_string = reinterpret_cast<GetString>(SDL_GL_GetProcAddress("glGetString"));
+  if (SDL_GL_GetCurrentContext() == nullptr || get_string == nullptr) return false;
+  const GLubyte* const name = get_string(GL_RENDERER);
+  if (name == nullptr) return false;
+  const std::string_view renderer_name = reinterpret_cast<const char*>(name);
+  constexpr std::array<std::string_view, 4> kSoftware = {"llvmpipe", "softpipe", "swrast", "SwiftShader"};
+  for (const std::string_view software : kSoftware)
+    if (renderer_name.find(software) != std::string_view::npos) return true;
+  return false;
+}
+
+}  // namespace
+
+std::unique_ptr<PicturePresenter> make_surface_presenter(SDL_Window* window) {
+  // Otherwise SDL may put the surface on a texture of a renderer in software.
+  SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
+  return std::make_unique<SurfacePresenter>(window);
+}
+
+std::unique_ptr<PicturePresenter> make_renderer_presenter(SDL_Window* window, bool hardware_only) {
+  std::unique_ptr<SDL_Renderer, DestroyRenderer> renderer(
+      SDL_CreateRenderer(window, -1, hardware_only ? SDL_RENDERER_ACCELERATED : 0));
+  if (!renderer || (hardware_only && is_software(renderer.get()))) return nullptr;
+  return std::make_unique<RendererPresenter>(std::move(renderer));
+}
+
+}  // namespace temblor::platform::sdl2

@@ -1,0 +1,222 @@
+#include "platform/sdl2/window.h"
+
+#include <SDL.h>
+
+#include <algorithm>
+
+#include "platform/sdl2/gamepads.h"
+#include "platform/sdl2/keys.h"
+#include "platform/sdl2/library.h"
+#include "platform/sdl2/presenters.h"
+
+namespace temblor::platform::sdl2 {
+namespace {
+
+struct DestroyWindow {
+  void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
+};
+using WindowHandle = std::unique_ptr<SDL_Window, DestroyWindow>;
+
+int known_display(int wished) {
+  return wished >= 0 && wished < SDL_GetNumVideoDisplays() ? wished : 0;
+}
+
+class SdlWindow : public Window {
+ public:
+  SdlWindow(Subsystem subsystem, WindowHandle window, std::unique_ptr<PicturePresenter> presenter)
+      : subsystem_(std::move(subsystem)), window_(std::move(window)), presenter_(std::move(presenter)) {
+    SDL_StopTextInput();
+  }
+
+  base::Status apply(const WindowSettings& settings) override;
+  void poll(std::vector<InputEvent>& io_events) override;
+  double now_s() const override {
+    return static_cast<double>(SDL_GetPerformanceCounter()) /
+           static_cast<double>(SDL_GetPerformanceFrequency());
+  }
+  PixelSize size() const override {
+    PixelSize size;
+    SDL_GetWindowSizeInPixels(window_.get(), &size.width, &size.height);
+    return size;
+  }
+  bool is_visible() const override {
+    return (SDL_GetWindowFlags(window_.get()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) == 0;
+  }
+  base::Status present(const Picture& picture) override { return presenter_->present(picture); }
+  void capture_mouse(bool captured) override;
+  void take_text(bool wanted) override { wanted ? SDL_StartTextInput() : SDL_StopTextInput(); }
+  std::string clipboard() const override;
+  void set_clipboard(std::string_view text) override { SDL_SetClipboardText(std::string(text).c_str()); }
+  void rumble(float low, float high, double seconds) override { gamepads_.rumble(low, high, seconds); }
+  double refresh_rate_hz() const override;
+  std::vector<PixelSize> full_screen_sizes() const override;
+  int displays() const override { return std::max(1, SDL_GetNumVideoDisplays()); }
+  std::string describe() const override { return presenter_->describe(); }
+
+ private:
+  void take(const SDL_Event& event, double time_s, std::vector<InputEvent>& io_events);
+  void take_pointer(int x, int y, double time_s, std::vector<InputEvent>& io_events) const;
+  base::Status set_mode(const WindowSettings& settings);
+
+  Subsystem subsystem_;
+  WindowHandle window_;
+  std::unique_ptr<PicturePresenter> presenter_;
+  Gamepads gamepads_;
+  bool captured_ = false;
+};
+
+base::Status SdlWindow::apply(const WindowSettings& settings) {
+  TRY_STATUS(set_mode(settings));
+  presenter_->set_vsync(settings.vsync);
+  return base::Ok{};
+}
+
+base::Status SdlWindow::set_mode(const WindowSettings& settings) {
+  SDL_Window* const window = window_.get();
+  const int display = known_display(settings.display);
+  if (settings.mode != WindowMode::kFullScreen || SDL_GetWindowDisplayIndex(window) != display) {
+    if (SDL_SetWindowFullscreen(window, 0) != 0) return sdl_error("leaving full screen");
+    if (SDL_GetWindowDisplayIndex(window) != display) {
+      const int place = static_cast<int>(SDL_WINDOWPOS_CENTERED_DISPLAY(static_cast<unsigned>(display)));
+      SDL_SetWindowPosition(window, place, place);
+    }
+  }
+  if (settings.mode == WindowMode::kWindowed) {
+    SDL_SetWindowSize(window, settings.size.width, settings.size.height);
+    return base::Ok{};
+  }
+  if (settings.mode == WindowMode::kBorderless)
+    return SDL_SetWindowFullscreen(window, SDL_WINDOW_FULLSCREEN_DESKTOP) == 0
+               ? base::Status(base::Ok{})
+               : sdl_error("full screen without a border");
+  const SDL_DisplayMode wished{SDL_PIXELFORMAT_UNKNOWN, settings.size.width, settings.size.height, 0,
+                               nullptr};
+  SDL_DisplayMode mode;
+  if (SDL_GetClosestDisplayMode(display, &wished, &mode) == nullptr)
+    return base::error(base::ErrorCode::kNotFound, "the display has no mode of {} x {} or more",
+                       settings.size.width, settings.size.height);
+  if (SDL_SetWindowDisplayMode(window, &mode) != 0 ||
+      SDL_SetWindowFullscreen(window, SDL_WINDOW_FULLSCREEN) != 0)
+    return sdl_error("full screen");
+  return base::Ok{};
+}
+
+void SdlWindow::poll(std::vector<InputEvent>& io_events) {
+  SDL_Event event;
+  while (SDL_PollEvent(&event) != 0) take(event, now_s(), io_events);
+}
+
+void SdlWindow::take(const SDL_Event& event, double time_s, std::vector<InputEvent>& io_events) {
+  const auto add = [&](auto what) { io_events.push_back({time_s, std::move(what)}); };
+  switch (event.type) {
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+      if (const Key key = key_of(event.key.keysym.scancode); key != Key::kNone)
+        add(KeyChange{key, event.type == SDL_KEYDOWN, event.key.repeat != 0});
+      return;
+    case SDL_TEXTINPUT:
+      return add(TextTyped{event.text.text});
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP:
+      if (!captured_) take_pointer(event.button.x, event.button.y, time_s, io_events);
+      if (const Key key = key_of_mouse_button(event.button.button); key != Key::kNone)
+        add(KeyChange{key, event.type == SDL_MOUSEBUTTONDOWN});
+      return;
+    case SDL_MOUSEWHEEL: {
+      const int up = event.wheel.direction == SDL_MOUSEWHEEL_FLIPPED ? -event.wheel.y : event.wheel.y;
+      for (int i = 0; i < std::min(std::abs(up), 16); ++i) {
+        add(KeyChange{up > 0 ? Key::kWheelUp : Key::kWheelDown, true});
+        add(KeyChange{up > 0 ? Key::kWheelUp : Key::kWheelDown, false});
+      }
+      return;
+    }
+    case SDL_MOUSEMOTION:
+      if (captured_)
+        add(MouseMoved{static_cast<float>(event.motion.xrel), static_cast<float>(event.motion.yrel)});
+      else
+        take_pointer(event.motion.x, event.motion.y, time_s, io_events);
+      return;
+    case SDL_WINDOWEVENT:
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_GAINED) add(FocusChanged{true});
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) add(FocusChanged{false});
+      if (event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED ||
+          event.window.event == SDL_WINDOWEVENT_DISPLAY_CHANGED) {
+        WindowChanged changed;
+        SDL_GetWindowSize(window_.get(), &changed.width, &changed.height);
+        add(changed);
+      }
+      return;
+    case SDL_QUIT:
+      return add(CloseRequested{});
+    default:
+      gamepads_.take(event, time_s, io_events);
+  }
+}
+
+void SdlWindow::take_pointer(int x, int y, double time_s, std::vector<InputEvent>& io_events) const {
+  int width = 0, height = 0;
+  SDL_GetWindowSize(window_.get(), &width, &height);  // the pointer's units, not pixels
+  io_events.push_back(
+      {time_s, PointerMoved{static_cast<float>(x) / static_cast<float>(std::max(1, width)),
+                            static_cast<float>(y) / static_cast<float>(std::max(1, height))}});
+}
+
+void SdlWindow::capture_mouse(bool captured) {
+  if (captured == captured_) return;
+  captured_ = captured;
+  SDL_SetRelativeMouseMode(captured ? SDL_TRUE : SDL_FALSE);
+  // What it was moved before does not count.
+  SDL_GetRelativeMouseState(nullptr, nullptr);
+  SDL_FlushEvent(SDL_MOUSEMOTION);
+}
+
+std::string SdlWindow::clipboard() const {
+  struct Free {
+    void operator()(char* text) const { SDL_free(text); }
+  };
+  const std::unique_ptr<char, Free> text(SDL_GetClipboardText());
+  return text ? text.get() : "";
+}
+
+double SdlWindow::refresh_rate_hz() const {
+  SDL_DisplayMode mode;
+  const int display = SDL_GetWindowDisplayIndex(window_.get());
+  return display >= 0 && SDL_GetCurrentDisplayMode(display, &mode) == 0 ? mode.refresh_rate : 0;
+}
+
+std::vector<PixelSize> SdlWindow::full_screen_sizes() const {
+  std::vector<PixelSize> sizes;
+  const int display = std::max(0, SDL_GetWindowDisplayIndex(window_.get()));
+  for (int i = 0; i < SDL_GetNumDisplayModes(display); ++i) {
+    SDL_DisplayMode mode;
+    if (SDL_GetDisplayMode(display, i, &mode) != 0) continue;
+    const PixelSize size{mode.w, mode.h};
+    if (std::find(sizes.begin(), sizes.end(), size) == sizes.end()) sizes.push_back(size);
+  }
+  return sizes;
+}
+
+}  // namespace
+
+base::Result<std::unique_ptr<Window>> open_window(const std::string& title, const WindowSettings& settings,
+                                                  Presenter presenter) {
+  SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+  SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_SYSTEM_SCALE, "0");
+  SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
+  SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0");
+  TRY(Subsystem subsystem, Subsystem::start(SDL_INIT_VIDEO | SDL_INIT_GAMECONTROLLER));
+  const int place = static_cast<int>(
+      SDL_WINDOWPOS_CENTERED_DISPLAY(static_cast<unsigned>(known_display(settings.display))));
+  WindowHandle window(SDL_CreateWindow(title.c_str(), place, place, settings.size.width, settings.size.height,
+                                       SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
+  if (!window) return sdl_error("opening a window");
+  std::unique_ptr<PicturePresenter> pictures;
+  if (presenter != Presenter::kSharedMemory)
+    pictures = make_renderer_presenter(window.get(), presenter == Presenter::kAuto);
+  if (!pictures) pictures = make_surface_presenter(window.get());
+  auto opened = std::make_unique<SdlWindow>(std::move(subsystem), std::move(window), std::move(pictures));
+  TRY_STATUS(opened->apply(settings));
+  return std::unique_ptr<Window>(std::move(opened));
+}
+
+}  // namespace temblor::platform::sdl2

@@ -1,0 +1,69 @@
+// The mixer's inner loop against its definition, in double precision, and its two forms against each other.
+#include "audio/mix_kernels.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "render/vector_targets.h"
+#include "support/random.h"
+
+namespace temblor::test {
+namespace {
+
+struct Case {
+  std::vector<float> samples, left, right;
+  audio::MixJob job{};
+
+  explicit Case(Random& random) {
+    const std::size_t count = random.below(300);
+    const auto any = [&](double size) { return static_cast<float>(random.uniform(-size, size)); };
+    for (std::size_t i = 0; i < count; ++i) {
+      samples.push_back(any(1));
+      left.push_back(any(2));
+      right.push_back(any(2));
+    }
+    job = {nullptr, count, nullptr, nullptr, any(1), any(0.01), any(1), any(0.01)};
+  }
+  audio::MixJob ready() {
+    job.samples = samples.data();
+    job.left = left.data();
+    job.right = right.data();
+    return job;
+  }
+};
+
+TEST(MixKernel, AddsSamplesWithGainsThatMove) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Random random(seed);
+    const Case before(random);
+    Case after = before;
+    audio::mix_plain(after.ready());
+    for (std::size_t i = 0; i < before.left.size(); ++i) {
+      const auto expected = [&](float own, float gain, float step) {
+        return double{own} +
+               double{before.samples[i]} * (double{gain} + double{step} * static_cast<double>(i));
+      };
+      ASSERT_NEAR(after.left[i], expected(before.left[i], before.job.left_gain, before.job.left_step), 1e-6);
+      ASSERT_NEAR(after.right[i], expected(before.right[i], before.job.right_gain, before.job.right_step),
+                  1e-6);
+    }
+  }
+}
+
+TEST(MixKernel, VectorFormsAreThePlainOneBitForBit) {
+  for_each_vector_target([] {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+      Random random(seed);
+      Case plain(random);
+      Case vector = plain;
+      audio::mix_plain(plain.ready());
+      audio::mix_vector(vector.ready());
+      ASSERT_EQ(plain.left, vector.left) << "seed " << seed;
+      ASSERT_EQ(plain.right, vector.right) << "seed " << seed;
+    }
+  });
+}
+
+}  // namespace
+}  // namespace temblor::test

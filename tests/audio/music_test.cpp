@@ -1,0 +1,192 @@
+// Music of every kind of file, decoded in bits and over and over; damaged files; and the thread that decodes
+// ahead.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sndfile.h>
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <thread>
+
+#include "audio/music_decoder.h"
+#include "audio/music_stream.h"
+#include "audio/signals.h"
+#include "support/game_data.h"
+#include "support/mutations.h"
+#include "support/random.h"
+#include "support/temporary_folder.h"
+
+namespace temblor::test {
+namespace {
+
+using audio::kFramesPerSecond;
+using audio::MusicDecoder;
+
+struct Kind {
+  const char* name;
+  int format, frames_per_second, channels;
+};
+
+// Two seconds: 440 Hz left, 1000 Hz right, at half of full scale, encoded by libsndfile.
+base::ByteVector music_file(const Kind& kind) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "music").string();
+  SF_INFO info{};
+  info.samplerate = kind.frames_per_second;
+  info.channels = kind.channels;
+  info.format = kind.format;
+  SNDFILE* file = sf_open(path.c_str(), SFM_WRITE, &info);
+  if (file == nullptr) return {};
+  std::vector<float> samples;
+  for (int i = 0; i < 2 * kind.frames_per_second; ++i)
+    for (int channel = 0; channel < kind.channels; ++channel)
+      samples.push_back(static_cast<float>(
+          0.5 * std::sin(2 * std::numbers::pi * (channel == 0 ? 440 : 1000) * i / kind.frames_per_second)));
+  sf_writef_float(file, samples.data(), 2 * kind.frames_per_second);
+  sf_close(file);
+  return read_file(path);
+}
+
+Stereo split(std::span<const float> samples) {
+  Stereo stereo;
+  for (std::size_t i = 0; i + 1 < samples.size(); i += 2) {
+    stereo.left.push_back(samples[i]);
+    stereo.right.push_back(samples[i + 1]);
+  }
+  return stereo;
+}
+
+class Music : public ::testing::TestWithParam<Kind> {};
+
+TEST_P(Music, IsDecodedAtTheMixersRate) {
+  const base::ByteVector bytes = music_file(GetParam());
+  if (bytes.empty()) GTEST_SKIP() << "this libsndfile does not write " << GetParam().name;
+  MusicDecoder music = MusicDecoder::open(bytes).value();
+  std::vector<float> samples(2 * kFramesPerSecond);
+  for (std::size_t at = 0; at < samples.size(); at += 1200) music.read(std::span(samples).subspan(at, 1200));
+  const Stereo heard = split(std::span(samples).subspan(20000, 40000));
+  const bool mono = GetParam().channels == 1;
+  EXPECT_NEAR(to_db(amplitude_of(heard.left, 440) / 0.5), 0, 0.3);
+  EXPECT_NEAR(to_db(amplitude_of(heard.right, mono ? 440 : 1000) / 0.5), 0, 0.3);
+  EXPECT_LT(rest_db(heard.left, 440), -30) << "lossy codecs leave little else";
+  EXPECT_FALSE(music.has_failed());
+}
+
+TEST_P(Music, BeginsAgainAtItsEnd) {
+  const base::ByteVector bytes = music_file(GetParam());
+  if (bytes.empty()) GTEST_SKIP() << "this libsndfile does not write " << GetParam().name;
+  MusicDecoder music = MusicDecoder::open(bytes).value();
+  std::vector<float> samples(2 * 7 * kFramesPerSecond);
+  music.read(samples);
+  EXPECT_FALSE(music.has_failed());
+  for (const std::size_t second : {0u, 3u, 6u}) {
+    const Stereo heard = split(std::span(samples).subspan(second * 96000 + 24000, 48000));
+    EXPECT_NEAR(to_db(amplitude_of(heard.left, 440) / 0.5), 0, 0.3) << second;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Music,
+                         ::testing::Values(Kind{"vorbis", SF_FORMAT_OGG | SF_FORMAT_VORBIS, 44100, 2},
+                                           Kind{"opus", SF_FORMAT_OGG | SF_FORMAT_OPUS, 48000, 2},
+                                           Kind{"flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 44100, 2},
+                                           Kind{"mp3", SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III, 44100, 2},
+                                           Kind{"wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 22050, 2},
+                                           Kind{"float", SF_FORMAT_WAV | SF_FORMAT_FLOAT, 48000, 2},
+                                           Kind{"mono", SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 32000, 1},
+                                           Kind{"four_channels", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 4}),
+                         [](const auto& parameter) { return std::string(parameter.param.name); });
+
+TEST(DamagedMusic, IsAnErrorOrSomeSoundButNoCrash) {
+  EXPECT_FALSE(MusicDecoder::open({}).ok());
+  EXPECT_FALSE(MusicDecoder::open(to_bytes("this is no music, it only pretends to be some")).ok());
+  for (const Kind& kind : {Kind{"vorbis", SF_FORMAT_OGG | SF_FORMAT_VORBIS, 44100, 2},
+                           Kind{"flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 44100, 2},
+                           Kind{"wav", SF_FORMAT_WAV | SF_FORMAT_FLOAT, 44100, 2}}) {
+    const base::ByteVector whole = music_file(kind);
+    if (whole.empty()) continue;
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+      Random random(seed);
+      base::ByteVector bytes = with_flipped_bits(whole, random);
+      if (seed % 3 == 0) bytes.resize(random.below(bytes.size()));
+      base::Result<MusicDecoder> music = MusicDecoder::open(bytes);
+      if (!music.ok()) continue;
+      std::vector<float> samples(2 * kFramesPerSecond, 99.0f);
+      music->read(samples);
+      EXPECT_LE(peak(samples), 8) << kind.name << ", seed " << seed;
+    }
+  }
+}
+
+TEST(DamagedMusic, OfNoLengthIsSilence) {
+  formats::Wav wav{.frames_per_second = 44100, .channels = 2, .bits = 16, .samples = {}, .loop = {}};
+  base::Result<MusicDecoder> music = MusicDecoder::open(formats::write_wav(wav));
+  if (!music.ok()) return;
+  std::vector<float> samples(1000, 99.0f);
+  music->read(samples);
+  EXPECT_EQ(peak(samples), 0);
+  EXPECT_TRUE(music->has_failed());
+}
+
+TEST(StockMusic, Plays) {
+  DATA_FOLDER_OR_SKIP(data);
+  MusicDecoder music = MusicDecoder::open(read_file(data / "id1/music/track02.ogg")).value();
+  std::vector<float> samples(20 * kFramesPerSecond);
+  music.read(samples);
+  EXPECT_GT(rms(samples), 0.005);
+}
+
+MusicDecoder tone(double frequency_hz) {
+  return MusicDecoder::open(formats::write_wav(sine_wav(frequency_hz, 0.5, 48000, 48000))).value();
+}
+
+void wait_until_ready(const audio::MusicStream& stream) {
+  for (int i = 0; i < 5000 && stream.frames_ready() < 20000; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_GE(stream.frames_ready(), 20000u);
+}
+
+TEST(MusicStreamThreads, PlaysWhatWasDecodedAheadAndSilenceBefore) {
+  audio::MusicStream stream;
+  std::vector<float> samples(2 * 16000, 99.0f);
+  stream.read(samples);
+  EXPECT_EQ(peak(samples), 0);
+  stream.play(tone(440));
+  wait_until_ready(stream);
+  stream.read(samples);
+  EXPECT_NEAR(amplitude_of(split(samples).left, 440), 0.5, 1e-3);
+}
+
+TEST(MusicStreamThreads, AnotherTrackPauseAndStopBreakOffWithoutAClick) {
+  audio::MusicStream stream;
+  stream.play(tone(440));
+  wait_until_ready(stream);
+  std::vector<float> heard;
+  const auto listen = [&](std::size_t frames) {
+    std::vector<float> samples(2 * frames);
+    stream.read(samples);
+    const Stereo stereo = split(samples);
+    heard.insert(heard.end(), stereo.left.begin(), stereo.left.end());
+    return amplitude_of(std::span(stereo.left).last(frames / 2), 440);
+  };
+  EXPECT_NEAR(listen(4817), 0.5, 0.01);
+  stream.set_paused(true);
+  EXPECT_LT(listen(4817), 1e-3);
+  stream.set_paused(false);
+  EXPECT_NEAR(listen(4817), 0.5, 0.01);
+  stream.play(tone(880));
+  // The new one comes from its beginning, as soon as the other thread has seen to it.
+  for (int i = 0; i < 3000 && listen(960) > 0.1; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_LT(listen(960), 0.1);
+  stream.play(std::nullopt);
+  for (int i = 0; i < 3000 && stream.frames_ready() > 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  listen(4800);
+  EXPECT_EQ(heard.back(), 0);
+  // Two percent of the largest jump there can be, and what the louder of the tones does by itself.
+  EXPECT_LT(largest_step(heard), 0.02 + 0.5 * 2 * std::numbers::pi * 880 / kFramesPerSecond + 0.01);
+}
+
+}  // namespace
+}  // namespace temblor::test

@@ -1,0 +1,156 @@
+// Resampling and loops, by what is in the samples.
+#include "audio/sound.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "audio/signals.h"
+
+namespace temblor::test {
+namespace {
+
+using audio::kFramesPerSecond;
+using audio::SoundPtr;
+
+// Without the ends, where the filter sees the silence around the sound.
+std::span<const float> middle(const SoundPtr& sound) {
+  const std::size_t edge = sound->samples.size() / 8;
+  return std::span(sound->samples).subspan(edge, sound->samples.size() - 2 * edge);
+}
+
+struct Tone {
+  std::uint32_t frames_per_second;
+  double frequency_hz;
+};
+
+class ResampledSine : public ::testing::TestWithParam<Tone> {};
+
+TEST_P(ResampledSine, KeepsItsFrequencyAndLevelAndNothingElseAppears) {
+  const Tone tone = GetParam();
+  const SoundPtr sound =
+      audio::make_sound(sine_wav(tone.frequency_hz, 0.5, tone.frames_per_second, tone.frames_per_second),
+                        "sine")
+          .value();
+  EXPECT_NEAR(static_cast<double>(sound->samples.size()), kFramesPerSecond, 1);
+  EXPECT_NEAR(to_db(amplitude_of(middle(sound), tone.frequency_hz) / 0.5), 0, 0.1);
+  // 16 bits alone are worth 92 dB at that level.
+  EXPECT_LT(rest_db(middle(sound), tone.frequency_hz), -80);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rates, ResampledSine,
+                         ::testing::Values(Tone{11025, 440}, Tone{11025, 4000}, Tone{22050, 1000},
+                                           Tone{22050, 9000}, Tone{44100, 1000}, Tone{44100, 18000},
+                                           Tone{48000, 1000}, Tone{64000, 1000}, Tone{96000, 15000},
+                                           Tone{8000, 100}));
+
+TEST(Resampling, ImagesAreGone) {
+  const SoundPtr sound = audio::make_sound(sine_wav(4000, 0.5, 11025, 11025), "sine").value();
+  for (const double image_hz : {11025.0 - 4000, 11025.0 + 4000, 22050.0 - 4000})
+    EXPECT_LT(to_db(amplitude_of(middle(sound), image_hz) / 0.5), -80) << image_hz;
+}
+
+TEST(Resampling, WhatTheRateCannotHoldDoesNotComeBackFolded) {
+  const SoundPtr sound = audio::make_sound(sine_wav(30000, 0.5, 96000, 96000), "sine").value();
+  EXPECT_LT(to_db(amplitude_of(middle(sound), kFramesPerSecond - 30000.0) / 0.5), -60);
+  EXPECT_LT(to_db(rms(middle(sound))), -60);
+}
+
+TEST(Resampling, ChannelsAreFolded) {
+  formats::Wav wav = sine_wav(1000, 0.5, kFramesPerSecond, 4800);
+  wav.channels = 2;
+  std::vector<std::int16_t> both;
+  for (const std::int16_t sample : wav.samples) both.insert(both.end(), {sample, 0});
+  wav.samples = both;
+  const SoundPtr sound = audio::make_sound(wav, "stereo").value();
+  ASSERT_EQ(sound->samples.size(), 4800u);
+  for (std::size_t i = 0; i < 4000; ++i)
+    ASSERT_FLOAT_EQ(sound->samples[i], static_cast<float>(both[2 * i]) / 65536);
+}
+
+TEST(Resampling, EightBitsReachTheSameLevel) {
+  formats::Wav wav{
+      .frames_per_second = kFramesPerSecond, .channels = 1, .bits = 8, .samples = {}, .loop = {}};
+  wav.samples.assign(1000, -128);
+  const SoundPtr sound = audio::make_sound(wav, "low").value();
+  EXPECT_EQ(sound->samples[0], -1.0f);
+  EXPECT_EQ(sound->samples[500], -1.0f);
+  EXPECT_EQ(sound->samples.back(), 0.0f) << "it ends in silence";
+  EXPECT_LT(largest_step(sound->samples), 0.03);
+}
+
+// What a voice would play: the beginning, then the loop again and again.
+std::vector<float> unrolled(const audio::Sound& sound, std::size_t count) {
+  std::vector<float> samples;
+  std::size_t position = 0;
+  while (samples.size() < count) {
+    samples.push_back(sound.samples[position++]);
+    if (position == sound.loop->end) position = sound.loop->start;
+  }
+  return samples;
+}
+
+TEST(Loop, OfASineGoesOnAsASine) {
+  // 50 whole periods from 1000 on, 0.2 s; the noise before it must not be heard in it.
+  for (const std::uint32_t rate : {11025u, 22050u, 44100u, 48000u, 64000u}) {
+    const double frequency_hz = 50.0 * rate / 2205;
+    formats::Wav wav = sine_wav(frequency_hz, 0.5, rate, 1000 + 2205);
+    for (std::size_t i = 0; i < 900; ++i) wav.samples[i] = static_cast<std::int16_t>(i * 7919 % 20000);
+    wav.loop = formats::WavLoop{1000, 3205};
+    const SoundPtr sound = audio::make_sound(wav, "loop").value();
+    ASSERT_TRUE(sound->loop);
+    const std::vector<float> samples = unrolled(*sound, 100000);
+    const double ratio = static_cast<double>(kFramesPerSecond) / rate;
+    const double length = static_cast<double>(sound->loop->end - sound->loop->start);
+    EXPECT_NEAR(length, 2205 * ratio, 0.5);
+    // The loop being a whole number of samples, its pitch is off by as much as it is.
+    const double got_hz = 50.0 * kFramesPerSecond / length;
+    const auto from = static_cast<std::size_t>(1100 * ratio);
+    EXPECT_LT(rest_db(std::span(samples).subspan(from), got_hz), -80) << rate;
+  }
+}
+
+TEST(Loop, OfHandMadeSamplesIsWhatThePointsSay) {
+  formats::Wav wav{
+      .frames_per_second = kFramesPerSecond, .channels = 1, .bits = 16, .samples = {}, .loop = {}};
+  for (int i = 0; i < 600; ++i) wav.samples.push_back(static_cast<std::int16_t>(i * 10));
+  wav.loop = formats::WavLoop{200, 500};
+  const std::vector<float> samples = unrolled(*audio::make_sound(wav, "loop").value(), 2000);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::size_t source = i < 500 ? i : 200 + (i - 200) % 300;
+    ASSERT_EQ(samples[i], static_cast<float>(source * 10) / 32768) << i;
+  }
+}
+
+TEST(Loop, OfOneSampleIsOne) {
+  for (const std::uint32_t rate : {1000u, 11025u, 48000u, 192000u}) {
+    formats::Wav wav = sine_wav(100, 0.5, rate, 300);
+    wav.samples.back() = 12345;
+    wav.loop = formats::WavLoop{299, 300};
+    const SoundPtr sound = audio::make_sound(wav, "loop").value();
+    ASSERT_TRUE(sound->loop);
+    EXPECT_NEAR(sound->samples[sound->loop->start], 12345 / 32768.0, 1e-3) << rate;
+  }
+}
+
+TEST(Loop, IsMadeWhereOneIsWantedWithoutAStep) {
+  const formats::Wav wav = sine_wav(333.3, 0.5, 11025, 11025);
+  const SoundPtr once = audio::make_sound(wav, "once").value();
+  const SoundPtr always = audio::make_sound(wav, "always", audio::Repeats::kAlways).value();
+  EXPECT_FALSE(once->loop);
+  ASSERT_TRUE(always->loop);
+  const double natural = largest_step(middle(once));
+  EXPECT_LT(largest_step(unrolled(*always, 200000)), 1.5 * natural);
+  EXPECT_FALSE(audio::make_sound({}, "empty", audio::Repeats::kAlways).value()->loop);
+}
+
+TEST(MakeSound, TooLongIsAnError) {
+  formats::Wav wav{.frames_per_second = 1000, .channels = 1, .bits = 8, .samples = {}, .loop = {}};
+  wav.samples.assign(600 * 1000 + 1, 0);
+  const auto sound = audio::make_sound(wav, "long");
+  ASSERT_FALSE(sound.ok());
+  EXPECT_EQ(sound.error().code, base::ErrorCode::kTooLarge);
+}
+
+}  // namespace
+}  // namespace temblor::test
