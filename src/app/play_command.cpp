@@ -14,6 +14,7 @@
 #include "command/text.h"
 #include "host/host.h"
 #include "platform/posix/udp_socket.h"
+#include "platform/sdl2/audio.h"
 #include "platform/sdl2/window.h"
 
 namespace temblor::app {
@@ -37,11 +38,15 @@ void print_line(std::string_view line) {
   std::fflush(stdout);
 }
 
-host::Services services_for(platform::Window& window) {
+host::Services services_for(platform::Window& window, bool silent) {
+  client::OpenAudioDevice open_audio = [](platform::AudioFill fill) {
+    return platform::sdl2::open_audio({}, std::move(fill));
+  };
   return {.window = window,
           .open_socket = [](std::uint16_t port) { return platform::posix::open_udp_socket({.port = port}); },
           .look_up = [](std::string_view host,
                         std::uint16_t default_port) { return platform::posix::look_up(host, default_port); },
+          .open_audio = silent ? client::OpenAudioDevice() : std::move(open_audio),
           .write_file = replace_file,
           .print_line = print_line,
           .seed = any_seed(),
@@ -112,7 +117,7 @@ base::Status run_play(const PlayOptions& options, const CommonOptions& common,
       .version = "Temblor " TEMBLOR_VERSION,
       .apply_overrides = [&] { return apply_command_line(options, common, variables.variables()); }};
   TRY(const std::unique_ptr<host::Host> host,
-      host::Host::start(services_for(*window), variables, std::move(host_options)));
+      host::Host::start(services_for(*window, options.silent), variables, std::move(host_options)));
   interrupt.hold();
   const double began_s = clock_s();
   const auto is_over = [&] {

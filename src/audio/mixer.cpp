@@ -53,7 +53,8 @@ void Mixer::happen(const SoundEvents& events) {
 
 void Mixer::aim_ambient(std::size_t kind) {
   Glide& level = ambients_[kind].level;
-  const float target = ambients_[kind].sound ? ambient_target(scene_.ambient_levels[kind]) : 0;
+  const float target =
+      ambients_[kind].sound ? ambient_target(scene_.ambient_levels[kind], scene_.volumes.ambient) : 0;
   if (target == level.target()) return;  // on its way
   const float frames = std::abs(target - level.value()) / kAmbientFade_per_frame;
   level.go_to(target, static_cast<std::size_t>(std::ceil(frames)));

@@ -23,6 +23,7 @@ constexpr std::size_t kAmbients = 4;
 
 struct Volumes {
   float sounds = 0.7f;           // 0 to 1
+  float ambient = 0.3f;          // 0 to 1: of the levels that leafs have
   float music = 1;               // 0 to 1
   float muffled_underwater = 0;  // 0: as in air, to 1: dull
 };

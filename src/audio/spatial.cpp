@@ -20,8 +20,8 @@ EarGains gains_at(const Listener& listener, const math::Vec3& origin_world, floa
   return {not_below_zero(loudness * (1 - side)), not_below_zero(loudness * (1 + side))};
 }
 
-float ambient_target(std::uint8_t leaf_level) {
-  const float level = 0.3f * static_cast<float>(leaf_level);
+float ambient_target(std::uint8_t leaf_level, float share) {
+  const float level = share * static_cast<float>(leaf_level);
   return level < 8 ? 0 : level;
 }
 

@@ -15,7 +15,7 @@ struct EarGains {
 // that is no number.
 EarGains gains_at(const Listener& listener, const math::Vec3& origin_world, float volume, float attenuation);
 
-// What a leaf's level comes to, as the original has it: 0.3 of it, nothing below 8; 0 to 255.
-float ambient_target(std::uint8_t leaf_level);
+// What a leaf's level comes to, as the original has it: that share of it, and nothing below 8; 0 to 255.
+float ambient_target(std::uint8_t leaf_level, float share);
 
 }  // namespace temblor::audio

@@ -76,6 +76,8 @@ ClientVariables::ClientVariables(command::Variables& variables) {
   skybox_ =
       variables.add_bool("r_skybox", defaults.skybox, "Draws the skybox that a level or server asks for.");
   sound_volume_ = variables.add_float("volume", 0.7, 0, 1, "How loud sounds are.");
+  ambient_level_ =
+      variables.add_float("ambient_level", 0.3, 0, 1, "How loud water and wind are, of what the level says.");
   music_volume_ = factor("bgmvolume", defaults.volumes.music, 1, "How loud music is.");
   muffled_underwater_ = factor("s_underwater", defaults.volumes.muffled_underwater, 1,
                                "How much sounds are muffled while the head is under water; the original: 0.");
@@ -107,7 +109,8 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
                            factor(teleport_alpha_)};
   settings.fog = variables.bool_value(fog_);
   settings.skybox = variables.bool_value(skybox_);
-  settings.volumes = {factor(sound_volume_), factor(music_volume_), factor(muffled_underwater_)};
+  settings.volumes = {factor(sound_volume_), factor(ambient_level_), factor(music_volume_),
+                      factor(muffled_underwater_)};
   return settings;
 }
 

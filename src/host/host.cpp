@@ -48,6 +48,7 @@ base::Status Host::open() {
   client::add_binding_commands(console_, bindings_, [this](std::string_view line) { print(line); });
   client::add_input_commands(console_, input_, event_time_s_, [this](std::string_view line) { print(line); });
   add_host_commands(*this);
+  if (services_.open_audio) sound_.emplace(services_.open_audio);
   TRY_STATUS(configure());
   return base::Ok{};
 }
@@ -78,6 +79,7 @@ bool Host::frame() {
     print(status.error().message());
     disconnect();
   }
+  make_sound();
   draw();
   if (wants_to_quit_) leave();
   return !wants_to_quit_;
@@ -126,6 +128,7 @@ void Host::take_event(const platform::InputEvent& event) {
 bool Host::take_by_console_or_menu(const platform::InputEvent& event) {
   bool taken = console_ui_.handle(event);
   if (!taken) taken = menu_->handle(event);
+  if (!taken && demo_) taken = demo_controls_.handle(event);
   for (const std::string& line : console_ui_.take_commands()) console_.append(line);
   for (const std::string& line : menu_->take_commands()) console_.append(line);
   return taken;
@@ -145,7 +148,6 @@ void Host::take_size(const platform::WindowChanged& changed) {
 void Host::take_key(const platform::KeyChange& key) {
   if (key.repeated) return;
   if (key.down && key.key == platform::Key::kEscape) return toggle_menu();
-  if (key.down && demo_ && take_demo_key(key.key)) return;
   if (!key.down)
     console_.append(held_.release(key.key));
   else
@@ -162,7 +164,8 @@ void Host::follow_variables() {
     window_settings_ = wanted;
   }
   tell_player();
-  services_.window.capture_mouse(has_focus_ && is_in_game() && (session_->is_playing() || flies_));
+  services_.window.capture_mouse(has_focus_ && is_in_game() &&
+                                 (session_->is_playing() || (demo_ && demo_controls_.is_flying())));
   const bool takes_text = console_ui_.takes_text() || menu_->wants_text();
   if (takes_text != takes_text_) services_.window.take_text(takes_text);
   takes_text_ = takes_text;
@@ -183,11 +186,41 @@ void Host::tell_player() {
 void Host::read_server() {
   if (const std::optional<std::string> lost = session_->read(now_s_)) print(*lost);
   if (client::Connection* const connection = session_->connection()) {
-    for (const std::string& text : connection->state().events().prints) print_part(text);
+    const client::Events& events = connection->state().events();
+    for (const std::string& text : events.prints) print_part(text);
+    rumble(events);
     for (const std::string& line : connection->take_commands())
       if (session_->server() != nullptr || may_be_stuffed(line)) console_.append(line);
   }
   print_part(session_->take_server_output());
+}
+
+// The harder the blow, the harder and longer.
+void Host::rumble(const client::Events& events) {
+  constexpr float kHardest = 50;
+  float blow = 0;
+  for (const net::Damage& damage : events.damages)
+    blow += static_cast<float>(damage.armor) + static_cast<float>(damage.blood);
+  const float strength = std::min(blow / kHardest, 1.0f) * variables_.rumble();
+  if (strength > 0)
+    services_.window.rumble(strength, strength / 2, 0.1 + 0.2 * static_cast<double>(strength));
+}
+
+// What the frame before has led to, and the menus' clicks.
+void Host::make_sound() {
+  client::AudioScene& scene = data_->presentation.audio_scene();
+  for (const std::string& name : menu_->take_sounds()) scene.play_local(name);
+  for (const std::string& note : scene.take_notes()) print(note);
+  if (sound_) {
+    sound_->advance(now_s_, scene.scene(), scene.events());
+    const client::Game* const game = demo_                    ? &demo_->state().game()
+                                     : session_->is_playing() ? &session_->connection()->state().game()
+                                                              : nullptr;
+    sound_->play_music(data_->library, game != nullptr ? game->music_track : 0);
+    sound_->pause_music(is_halted() || (game != nullptr && game->paused));
+    for (const std::string& note : sound_->take_notes()) print(note);
+  }
+  scene.events().clear();
 }
 
 // Text of the game, in its own letters.
@@ -209,7 +242,6 @@ void Host::look_and_move() {
   fov_deg_ = zoom.fov_deg + (zoom.zoom_fov_deg - zoom.fov_deg) * zoom_;
 
   const client::InputSettings settings = variables_.input();
-  if (flies_) return fly(settings);
   if (!session_->is_playing()) return;
   const client::Game& game = session_->connection()->state().game();
   const bool is_same_turn = game.set_angles_deg == turned_to_deg_ && now_s_ - turned_s_ < kSameTurn_s;

@@ -8,12 +8,13 @@
 
 #include "client/bindings.h"
 #include "client/console_ui.h"
+#include "client/demo_controls.h"
 #include "client/demo_session.h"
-#include "client/free_camera.h"
 #include "client/menu.h"
 #include "client/player_input.h"
 #include "client/prediction.h"
 #include "client/presentation.h"
+#include "client/sound_output.h"
 #include "command/console.h"
 #include "host/frame_limiter.h"
 #include "host/game_data.h"
@@ -101,8 +102,6 @@ class Host {
   std::string unsaved();
   void search_servers();
   const std::vector<client::MenuServer>& found_servers() const { return search_.found(); }
-  // A camera that flies through a recording, or the player's view again.
-  void toggle_camera();
   // Another set of game folders, without a restart; the game that is running ends.
   base::Status change_games(std::vector<std::string> games);
 
@@ -122,16 +121,18 @@ class Host {
   void take_event(const platform::InputEvent& event);
   bool take_by_console_or_menu(const platform::InputEvent& event);
   void take_key(const platform::KeyChange& key);
-  bool take_demo_key(platform::Key key);
   void take_size(const platform::WindowChanged& changed);
   void follow_variables();
   void tell_player();
   void read_server();
   void look_and_move();
   void send_moves(const client::InputSettings& settings);
-  void fly(const client::InputSettings& settings);
+  void read_presentation_settings();
   base::Status make_scene();
   base::Status show_demo();
+  base::Status play_neighbour(int recordings);
+  void make_sound();
+  void rumble(const client::Events& events);
   void draw();
   void draw_view(render::FrameBuffer& io_frame);
   void draw_over(const render::FrameBuffer& frame);
@@ -153,7 +154,10 @@ class Host {
   std::unique_ptr<MenuLists> menu_lists_;
   std::optional<client::Menu> menu_;
   std::unique_ptr<Session> session_;
+  std::optional<client::SoundOutput> sound_;  // nothing: silence is wanted
   std::optional<client::DemoSession> demo_;
+  std::string demo_name_;
+  client::DemoControls demo_controls_;
   std::optional<TimedDemo> timed_;
   std::string recording_name_;  // empty: none is being made
   std::string picture_wanted_;  // of the saved game of this name; empty: none
@@ -175,9 +179,7 @@ class Host {
   std::uint32_t turns_ = 0;  // by the server, as far as followed
   math::Vec3 turned_to_deg_{0.0f};
   double turned_s_ = 0;
-  std::string line_;                // printed in part
-  client::FreeCamera free_camera_;  // of a recording, while it flies
-  bool flies_ = false;
+  std::string line_;  // printed in part
   struct {
     int frames = 0;
     double seconds = 0, worst_latency_s = 0;

@@ -152,8 +152,6 @@ void add_demo_commands(Host& io_host) {
         const double from_s = is_step ? host.demo()->time_s() : host.demo()->begin_s();
         print_error(host, host.seek_demo(from_s + number_of(arguments[1])));
       });
-  add("demo_camera", "A camera that flies through the recording, or the player's view again.",
-      [](Host& host, Arguments) { host.toggle_camera(); });
 }
 
 void add_screen_commands(Host& io_host) {

@@ -9,11 +9,6 @@
 namespace temblor::host {
 namespace {
 
-using platform::Key;
-
-constexpr double kSeekStep_s = 5;
-constexpr float kFlightSpeed = 400, kFastFlight = 4;  // units a second; times, with the run key
-
 std::string with_suffix(std::string_view name) {
   std::string file(name);
   if (!file.ends_with(".dem")) file += ".dem";
@@ -37,6 +32,11 @@ base::Status Host::play_demo(std::string_view name) {
   TRY(base::ByteVector bytes, read_demo(*data_, file));
   disconnect();
   TRY(demo_, client::DemoSession::open(std::move(bytes), file, data_->presentation));
+  demo_->set_listener([this](const client::Events& events, const client::Game&, double) {
+    for (const std::string& text : events.prints) print_part(text);
+  });
+  demo_name_ = file;
+  demo_controls_ = {};
   console_ui_.close();
   menu_->close();
   return base::Ok{};
@@ -51,20 +51,23 @@ base::Status Host::time_demo(std::string_view name) {
 void Host::stop_demo() {
   demo_.reset();
   timed_.reset();
-  flies_ = false;
 }
 
 // Lets it go on by this frame's time, or while it is measured by an update.
 base::Status Host::show_demo() {
   data_->presentation.follow(nullptr);
-  presentation_settings_ = variables_.presentation();
-  presentation_settings_.view.fov_deg = fov_deg_;
+  read_presentation_settings();
+  const client::InputSettings input = variables_.input();
+  const double passed_s = is_in_game() ? times_.frame_s : 0;
   base::Result<bool> goes_on =
       timed_ ? demo_->step(1, presentation_settings_)
-             : demo_->advance(is_in_game() ? times_.frame_s : 0, presentation_settings_);
-  for (const std::string& text : demo_->state().events().prints) print_part(text);
+             : demo_controls_.advance(passed_s, presentation_settings_,
+                                      {.turn_deg_per_count = input.sensitivity * input.mouse_yaw_deg},
+                                      data_->presentation, *demo_);
   for (const std::string& note : data_->presentation.take_notes()) print(note);
   if (!goes_on.ok()) return goes_on.error();
+  if (const int recordings = demo_controls_.take_recordings(); recordings != 0)
+    return play_neighbour(recordings);
   if (timed_) ++timed_->frames;
   if (*goes_on) return base::Ok{};
   if (timed_) {
@@ -83,54 +86,15 @@ base::Status Host::seek_demo(double time_s) {
   return base::Ok{};
 }
 
-// While a recording plays, some keys are its own. False: this one is not.
-bool Host::take_demo_key(Key key) {
-  switch (key) {
-    case Key::kSpace:
-      demo_->pause(!demo_->is_paused());
-      return true;
-    case Key::kLeftArrow:
-    case Key::kRightArrow: {
-      const double step_s = key == Key::kLeftArrow ? -kSeekStep_s : kSeekStep_s;
-      if (const base::Status sought = seek_demo(demo_->time_s() + step_s); !sought.ok())
-        print(sought.error().message());
-      return true;
-    }
-    case Key::kUpArrow:
-      demo_->set_speed(demo_->speed() * 2);
-      return true;
-    case Key::kDownArrow:
-      demo_->set_speed(demo_->speed() / 2);
-      return true;
-    default:
-      return false;
-  }
-}
-
-void Host::toggle_camera() {
-  if (!demo_ && !session_->is_playing()) return print("there is nothing to fly through");
-  flies_ = !flies_;
-  if (!flies_) return;
-  free_camera_.place(data_->presentation.scene().camera);
-  input_.set_view_angles(free_camera_.camera().angles_deg);
-}
-
-// Mouse and walking keys move the camera instead of the player.
-void Host::fly(const client::InputSettings& settings) {
-  const math::Vec3 before_deg = input_.view_angles_deg();
-  input_.look({.time_s = now_s_}, settings);
-  const math::Vec3 turned_deg = input_.view_angles_deg() - before_deg;
-  free_camera_.turn(turned_deg.x, turned_deg.y);
-  const client::Buttons& buttons = input_.buttons();
-  const auto wish = [&](client::Button more, client::Button less) {
-    return static_cast<float>(buttons[more].is_down()) - static_cast<float>(buttons[less].is_down());
-  };
-  using client::Button;
-  const bool is_fast = buttons[Button::kSpeed].is_down();
-  free_camera_.fly({.forward = wish(Button::kForward, Button::kBack),
-                    .right = wish(Button::kMoveRight, Button::kMoveLeft),
-                    .up = wish(Button::kJump, Button::kMoveDown)},
-                   is_fast ? kFlightSpeed * kFastFlight : kFlightSpeed, times_.frame_s);
+// Another one of those that the menu lists.
+base::Status Host::play_neighbour(int recordings) {
+  const std::vector<client::MenuDemo> demos = menu_lists_->content().demos();
+  const auto current = std::find_if(demos.begin(), demos.end(), [&](const client::MenuDemo& demo) {
+    return with_suffix(demo.name) == demo_name_;
+  });
+  const std::ptrdiff_t wanted = current - demos.begin() + recordings;
+  if (current == demos.end() || wanted < 0 || wanted >= std::ssize(demos)) return base::Ok{};
+  return play_demo(demos[static_cast<std::size_t>(wanted)].name);
 }
 
 base::Status Host::record(std::string_view name) {

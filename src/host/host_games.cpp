@@ -136,6 +136,7 @@ void Host::disconnect() {
   if (const base::Status kept = stop_recording_if_any(); !kept.ok()) print(kept.error().message());
   stop_demo();
   session_->disconnect("The host has left.");
+  data_->presentation.audio_scene().resume({});
 }
 
 base::Status Host::change_games(std::vector<std::string> games) {

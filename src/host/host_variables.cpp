@@ -23,7 +23,12 @@ std::vector<std::string> names_of(const command::Variables& variables) {
 }  // namespace
 
 HostVariables::HostVariables(command::Variables& variables)
-    : variables_(&variables), render_(variables), client_(variables), input_(variables), server_(variables) {
+    : variables_(&variables),
+      render_(variables),
+      client_(variables),
+      input_(variables),
+      console_(variables),
+      server_(variables) {
   const platform::WindowSettings window;
   width_ = variables.add_int("vid_width", window.size.width, 1, 16384, "Width of the window, pixels.");
   height_ = variables.add_int("vid_height", window.size.height, 1, 16384, "Height of the window, pixels.");
@@ -52,21 +57,6 @@ HostVariables::HostVariables(command::Variables& variables)
   pants_ = variables.add_int("bottomcolor", 0, 0, 13, "Colour of the trousers.");
   rumble_ =
       variables.add_float("joy_rumble", 1, 0, 1, "How strongly the gamepad shakes when the player is hurt.");
-  const client::ConsoleSettings console;
-  console_speed_ = variables.add_float("scr_conspeed", console.slide_speed, 1, 1e6,
-                                       "How fast the console comes down, of 200 rows a second.");
-  notify_time_ = variables.add_float("con_notifytime", console.notify_time_s, 0, 3600,
-                                     "Seconds that a line of the console stays over the game.");
-  notify_rows_ = variables.add_int("con_notifylines", console.notify_rows, 0, 64,
-                                   "Rows of the console over the game at most.");
-  console_scale_ =
-      variables.add_int("scr_conscale", console.scale, 0, 64,
-                        "Pixels for each of the console's letters' own; 0: from the frame's size.");
-  console_opacity_ = variables.add_float("scr_conalpha", static_cast<double>(console.opacity), 0, 1,
-                                         "Opacity of the console's background over the game.");
-  high_contrast_ = variables.add_bool("con_highcontrast", console.high_contrast,
-                                      "White letters on black in the console and menus.");
-  text_size_ = variables.add_float("scr_textsize", 1, 0.5, 4, "How large text is, times its usual size.");
   max_players_ = variables.add_int("maxplayers", 1, 1, 16, "Players in the next game that begins here.");
   port_ = variables.add_int("port", 26000, 0, 65535, "UDP port of games that others may join; 0: any.");
   parallel_ = variables.add_bool("host_parallel", true,
@@ -81,16 +71,6 @@ HostVariables::HostVariables(command::Variables& variables)
   for (std::string& name : names_of(variables))
     if (std::find(not_kept.begin(), not_kept.end(), name) == not_kept.end() && name != "r_show")
       kept_.push_back(std::move(name));
-}
-
-client::ConsoleSettings HostVariables::console() const {
-  return {.slide_speed = variables_->float_value(console_speed_),
-          .notify_time_s = variables_->float_value(notify_time_),
-          .notify_rows = static_cast<int>(variables_->int_value(notify_rows_)),
-          .scale = static_cast<int>(variables_->int_value(console_scale_)),
-          .text_size = static_cast<float>(variables_->float_value(text_size_)),
-          .opacity = static_cast<float>(variables_->float_value(console_opacity_)),
-          .high_contrast = variables_->bool_value(high_contrast_)};
 }
 
 platform::WindowSettings HostVariables::window() const {

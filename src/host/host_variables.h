@@ -3,7 +3,7 @@
 
 #include "client/client_variables.h"
 #include "client/connection.h"
-#include "client/console_ui.h"
+#include "client/console_variables.h"
 #include "client/input_variables.h"
 #include "command/variables.h"
 #include "host/render_settings.h"
@@ -33,7 +33,8 @@ class HostVariables {
   ScreenSettings screen() const;
   ZoomSettings zoom() const;
   client::PlayerSettings player() const;
-  client::ConsoleSettings console() const;
+  client::ConsoleSettings console() const { return console_.read(*variables_); }
+  float rumble() const { return static_cast<float>(variables_->float_value(rumble_)); }
   double frames_per_second() const;  // 0: as the display
   std::uint32_t max_players() const {
     return static_cast<std::uint32_t>(variables_->int_value(max_players_));
@@ -51,11 +52,11 @@ class HostVariables {
   RenderSettings render_;
   client::ClientVariables client_;
   client::InputVariables input_;
+  client::ConsoleVariables console_;
   server::ServerVariables server_;
   command::VariableIndex width_, height_, mode_, display_, vsync_, colour_, scale_, automatic_scale_,
       target_fps_, max_fps_, gamma_, contrast_, brightness_, fov_, zoom_fov_, zoom_speed_, name_, shirt_,
-      pants_, rumble_, parallel_, show_speed_, show_latency_, max_players_, port_, console_speed_,
-      notify_time_, notify_rows_, console_scale_, console_opacity_, high_contrast_, text_size_;
+      pants_, rumble_, parallel_, show_speed_, show_latency_, max_players_, port_;
   std::vector<std::string> kept_;  // names of the player's own
 };
 

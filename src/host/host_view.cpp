@@ -4,20 +4,26 @@
 #include <algorithm>
 
 #include "client/corner_text.h"
+#include "client/demo_bar.h"
 #include "host/host.h"
 
 namespace temblor::host {
 namespace {
 
 constexpr std::uint8_t kBlack = 0;
-constexpr double kSpeedShownFor_s = 0.5;
+constexpr double kSpeedShownFor_s = 0.5, kBarShownFor_s = 3;
 
 }  // namespace
 
-base::Status Host::make_scene() {
-  if (!session_->is_playing()) return base::Ok{};
+void Host::read_presentation_settings() {
   presentation_settings_ = variables_.presentation();
   presentation_settings_.view.fov_deg = fov_deg_;
+  presentation_settings_.sound = sound_.has_value();
+}
+
+base::Status Host::make_scene() {
+  if (!session_->is_playing()) return base::Ok{};
+  read_presentation_settings();
   client::ClientState& state = session_->connection()->state();
   data_->presentation.follow(&prediction_);
   TRY_STATUS(data_->presentation.advance(state, session_->time_s(), input_.view_angles_deg(),
@@ -54,17 +60,11 @@ void Host::draw_view(render::FrameBuffer& io_frame) {
   render::FrameStats stats;
   overlay_.clear();
   if (has_view() && !console_ui_.covers_frame()) {
-    render::Scene scene = data_->presentation.scene();
-    if (flies_) {
-      scene.camera = free_camera_.camera();
-      scene.view_weapon = nullptr;
-    }
-    stats = data_->renderer.render(scene, variables_.render(), io_frame);
+    stats = data_->renderer.render(data_->presentation.scene(), variables_.render(), io_frame);
     if (!picture_wanted_.empty()) keep_picture(io_frame);
     const client::ClientState& state = demo_ ? demo_->state() : session_->connection()->state();
-    if (!flies_)
-      overlay_ =
-          data_->presentation.draw_list(state, io_frame.width(), io_frame.height(), presentation_settings_);
+    overlay_ =
+        data_->presentation.draw_list(state, io_frame.width(), io_frame.height(), presentation_settings_);
   } else {
     overlay_.commands.push_back({.area = {0, 0, io_frame.width(), io_frame.height()}, .fill = kBlack});
   }
@@ -80,6 +80,8 @@ void Host::draw_over(const render::FrameBuffer& frame) {
                                  .game_runs = has_view() || menu_is_open,
                                  .version = options_.version,
                                  .settings = variables_.console()};
+  if (demo_ && !timed_ && (demo_->is_paused() || demo_controls_.idle_s() < kBarShownFor_s))
+    client::draw_demo_bar(*demo_, data_->presentation.pictures(), frame.width(), frame.height(), 0, overlay_);
   console_ui_.draw(view, frame.width(), frame.height(), overlay_);
   menu_->draw(frame.width(), frame.height(), now_s_, overlay_);
   speed_.frames += 1;

@@ -135,7 +135,7 @@ TEST(Battle, StaysWithinFullScaleForTenMinutes) {
     const double yaw = random.uniform(0, 6.28);
     scene.listener.right = {static_cast<float>(std::cos(yaw)), static_cast<float>(std::sin(yaw)), 0};
     scene.listener.underwater = random.chance(0.1);
-    scene.volumes = {1, 1, 1};
+    scene.volumes = {1, 1, 1, 1};
     for (std::uint8_t& level : scene.ambient_levels) level = static_cast<std::uint8_t>(random.below(256));
     mixer.follow(scene, out.size() / 2);
     SoundEvents events;

@@ -175,13 +175,14 @@ TEST_F(AudioSceneTest, ListenerIsWhereTheCameraIs) {
   view.camera.origin_world = {10, 20, 30};
   view.camera.angles_deg = {0, 90, 0};  // along +y: right is +x
   view.underwater = true;
-  scene().advance(game, {}, *level, view, {0.5f, 0.25f, 1});
+  scene().advance(game, {}, *level, view, {0.5f, 0.125f, 0.25f, 1});
   const audio::Scene& got = scene().scene();
   EXPECT_EQ(got.listener.origin_world, math::Vec3(10, 20, 30));
   EXPECT_NEAR(glm::distance(got.listener.right, math::Vec3(1, 0, 0)), 0, 1e-6);
   EXPECT_EQ(got.listener.entity, 1);
   EXPECT_TRUE(got.listener.underwater);
   EXPECT_EQ(got.volumes.sounds, 0.5f);
+  EXPECT_EQ(got.volumes.ambient, 0.125f);
   EXPECT_EQ(got.volumes.music, 0.25f);
   EXPECT_EQ(got.volumes.muffled_underwater, 1);
 }

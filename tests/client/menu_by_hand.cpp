@@ -42,8 +42,7 @@ void register_menu_variables(command::Variables& io_variables) {
        {"vid_vsync", "scr_showlatency", "host_parallel", "vid_render_scale_auto", "scr_showfps",
         "r_coloured_light", "r_alias_snap", "con_highcontrast", "scr_subtitles", "scr_safecolours", "coop"})
     v.add_bool(name, false, fmt::format("What {} does, said in one sentence that may be rather long.", name));
-  for (const char* name :
-       {"volume", "bgmvolume", "ambient_level", "snd_waterfx", "vid_render_scale", "joy_rumble"})
+  for (const char* name : {"vid_render_scale", "joy_rumble"})
     v.add_float(name, 0.5, 0, 1, fmt::format("How much there is of {}.", name));
   v.add_float("gamma", 1, 0.25, 4, "Below 1: brighter.");
   v.add_float("contrast", 1, 0.25, 4, "Of the picture.");

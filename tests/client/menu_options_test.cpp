@@ -61,6 +61,7 @@ TEST_F(MenuOptions, SwitchSlideAndChoose) {
 
   expect_at(MenuPage::kVideo, "Frame limit");
   EXPECT_THAT(hand_.selected(), HasSubstr("none"));
+  ASSERT_TRUE(hand_.variables().set("bgmvolume", "0.5").ok());
   expect_at(MenuPage::kSound, "Music");
   EXPECT_THAT(hand_.selected(), HasSubstr("50%"));
   hand_.press(Key::kRightArrow);

@@ -67,7 +67,7 @@ std::span<const OptionLook> sound_options() {
        .step = 0.05,
        .shown_factor = 100,
        .unit = "%"},
-      {.variable = "snd_waterfx",
+      {.variable = "s_underwater",
        .label = "Muffled in water",
        .high = 1,
        .step = 0.1,
