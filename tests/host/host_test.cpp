@@ -57,9 +57,10 @@ TEST(Host, TheViewWalksInTheFrameOfTheKey) {
   EXPECT_GT(glm::distance(math::Vec2(eye()), math::Vec2(before)), 1e-4f);
   played.run(0.2, 1.0 / 250);
   EXPECT_GT(glm::distance(math::Vec2(eye()), math::Vec2(before)), 10);
-  EXPECT_LT(glm::distance(math::Vec2(eye()), math::Vec2(played.host().session().server()->game()->player(
-                                                 0)[server::field::kOrigin])),
-            10)
+  EXPECT_LT(
+      glm::distance(math::Vec2(eye()),
+                    math::Vec2(played.host().session().server()->game()->player(0)[server::field::kOrigin])),
+      10)
       << "and not far from the server's word";
 }
 
