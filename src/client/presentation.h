@@ -56,9 +56,6 @@ class Presentation {
   // which something happens.
   base::Status pass(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
                     const PresentationSettings& settings);
-  // From the next call on the player is shown where `prediction` has him, after its begin_frame(); null:
-  // where the server has. It must live until then.
-  void follow(Prediction* prediction) { prediction_ = prediction; }
   // The game's 2-D pictures; for menus and the console.
   const assets::Pictures& pictures() const { return pictures_; }
   // The state has been put to another moment of its recording, `before` which that much had happened: all
@@ -66,6 +63,9 @@ class Presentation {
   // in this moment is still to be acted on.
   base::Status resume(ClientState& io_state, const EffectCounts& before,
                       const PresentationSettings& settings);
+  // From the next call on the player is shown where `prediction` has him, after its begin_frame(); null:
+  // where the server has. It must live until then.
+  void follow(Prediction* prediction) { prediction_ = prediction; }
   // Whether there is a level to draw.
   bool has_level() const { return models_.has_value(); }
 

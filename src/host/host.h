@@ -149,8 +149,8 @@ class Host {
   client::Bindings bindings_;
   client::HeldKeys held_;
   client::PlayerInput input_;
-  std::unique_ptr<GameData> data_;
   client::Prediction prediction_;
+  std::unique_ptr<GameData> data_;
   std::unique_ptr<MenuLists> menu_lists_;
   std::optional<client::Menu> menu_;
   std::unique_ptr<Session> session_;
