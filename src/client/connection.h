@@ -38,6 +38,8 @@ class Connection {
   // How many moves are to be sent now, once a frame: one of each tick that has passed to a server that takes
   // them numbered (what a hitch of more than a quarter of a second leaves out is forgotten), else one.
   int moves_due(double now_s);
+  // One was due then: to send them with the ticks of a server that is here.
+  void align_moves(double due_s) { last_move_due_s_ = due_s; }
   // Unreliable, and only once playing: what the player does now. The time is filled in. The first two of a
   // level are left out, as stock clients do: the view is not known yet.
   void send_move(net::Move move);

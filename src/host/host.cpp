@@ -257,15 +257,19 @@ void Host::look_and_move() {
                .ideal_pitch_deg = game.data.ideal_pitch_deg,
                .may_drift = game.data.on_ground},
               settings);
+  send_moves(settings);
+}
+
+// A move of a slow frame is one of several ticks.
+void Host::send_moves(const client::InputSettings& settings) {
   if (is_halted()) return;
-  if (const int due = session_->moves_due(now_s_); due > 0) {
-    net::Move move = input_.take_move(now_s_, settings);
-    for (int i = 0; i < due; ++i) {
-      session_->send_move(move, now_s_);
-      move.impulse = 0;
-    }
+  int due = session_->moves_due(now_s_);
+  net::Move move = due > 0 ? input_.take_move(now_s_, settings) : input_.peek_move(now_s_, settings);
+  for (; due > 0; --due) {
+    session_->send_move(move, now_s_);
+    move.impulse = 0;
   }
-  prediction_.begin_frame(*session_->connection(), input_.peek_move(now_s_, settings), now_s_);
+  prediction_.begin_frame(*session_->connection(), move, session_->move_clock_s(now_s_));
 }
 
 }  // namespace temblor::host

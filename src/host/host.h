@@ -126,6 +126,7 @@ class Host {
   void tell_player();
   void read_server();
   void look_and_move();
+  void send_moves(const client::InputSettings& settings);
   void read_presentation_settings();
   base::Status make_scene();
   base::Status show_demo();

@@ -55,6 +55,7 @@ void Host::stop_demo() {
 
 // Lets it go on by this frame's time, or while it is measured by an update.
 base::Status Host::show_demo() {
+  data_->presentation.follow(nullptr);  // a recording's player goes where it says
   read_presentation_settings();
   const client::InputSettings input = variables_.input();
   const double passed_s = is_in_game() ? times_.frame_s : 0;

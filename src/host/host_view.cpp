@@ -25,6 +25,7 @@ base::Status Host::make_scene() {
   if (!session_->is_playing()) return base::Ok{};
   read_presentation_settings();
   client::ClientState& state = session_->connection()->state();
+  data_->presentation.follow(&prediction_);
   TRY_STATUS(data_->presentation.advance(state, session_->time_s(), input_.view_angles_deg(),
                                          presentation_settings_));
   for (const std::string& note : data_->presentation.take_notes()) print(note);

@@ -100,10 +100,17 @@ std::optional<std::string> Session::read(double now_s) {
   return std::nullopt;
 }
 
+double Session::move_clock_s(double now_s) const {
+  return server_ ? server_now_s_ + (now_s - stepped_s_) : now_s;
+}
+
 int Session::moves_due(double now_s) {
   if (!is_playing()) return 0;
-  if (connection_->move_terms()) return connection_->moves_due(now_s);
-  return now_s - moved_s_ >= kMovesEvery_s ? 1 : 0;
+  const double clock_s = move_clock_s(now_s);
+  const double until_tick_s = server_ ? server_->until_next_tick_s(clock_s) : 0;
+  if (!connection_->move_terms()) return until_tick_s <= 0 && (server_ || now_s - moved_s_ >= kMovesEvery_s);
+  if (until_tick_s > 0) connection_->align_moves(clock_s + until_tick_s - connection_->move_terms()->tick_s);
+  return connection_->moves_due(clock_s);
 }
 
 void Session::send_move(net::Move move, double now_s) {

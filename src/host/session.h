@@ -39,9 +39,12 @@ class Session {
   std::optional<std::string> read(double now_s);
   // The moment to show, on the server's clock: with the last update or between the last two.
   double time_s() const { return time_s_; }
-  // How many moves should be sent now: one for each tick of a server that counts them, 72 a second to others.
+  // How many moves should be sent now: one before each tick of the own server, or of one that numbers them;
+  // 72 times a second to others.
   int moves_due(double now_s);
   void send_move(net::Move move, double now_s);
+  // That moves are counted by: of the own server, which may stand still.
+  double move_clock_s(double now_s) const;
   // Lets the server here go on to this time; nothing where there is none. While `halted` its time stands
   // still, but it still listens. May run on another thread while nothing else is called.
   void step_server(double now_s, bool halted);

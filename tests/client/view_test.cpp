@@ -35,7 +35,7 @@ struct Viewer {
   }
   PlayerView at(double time_s) {
     const PlayerView seen = view.advance(
-        game, events, {time_s, view_angles_deg, is_there ? &entity : nullptr, level()}, settings);
+        game, events, {time_s, view_angles_deg, is_there ? &entity : nullptr, level(), own}, settings);
     events = {};
     return seen;
   }
@@ -46,9 +46,22 @@ struct Viewer {
   ViewSettings settings;
   math::Vec3 view_angles_deg{10, 20, 0};
   bool is_there = true;
+  std::optional<OwnMotion> own;
 };
 
 const math::Vec3 kOffGrid(1.0f / 32);
+
+TEST(View, EyesAreWhereThePlayersOwnPlaceIsKnownBetter) {
+  Viewer viewer;
+  viewer.own = OwnMotion{viewer.entity.origin_world + math::Vec3(3, 4, 0), math::Vec3(0.0f), true};
+  EXPECT_EQ(viewer.at(1).camera.origin_world, viewer.own->origin_world + math::Vec3(0, 0, 22) + kOffGrid);
+  // The head leans with the velocity that is known better, too.
+  viewer.view_angles_deg = {0, 0, 0};
+  viewer.own->velocity = {0, 200, 0};
+  EXPECT_NE(viewer.at(1.01).camera.angles_deg.z, 0);
+  viewer.own.reset();
+  EXPECT_EQ(viewer.at(1.02).camera.origin_world.x, viewer.entity.origin_world.x + kOffGrid.x);
+}
 
 TEST(View, EyesOfOneWhoStands) {
   Viewer viewer;

@@ -45,6 +45,25 @@ TEST(Host, ALevelThatIsNotThereIsNamed) {
   EXPECT_TRUE(played.host().session().is_playing());
 }
 
+TEST(Host, TheViewWalksInTheFrameOfTheKey) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayedHost played({"map small"});
+  ASSERT_TRUE(played.run_until_playing());
+  played.run(1, 1.0 / 250);
+  const auto eye = [&] { return played.host().data().presentation.scene().camera.origin_world; };
+  const math::Vec3 before = eye();
+  played.press(Key{'w'});
+  played.run(1.0 / 251, 1.0 / 250);
+  EXPECT_GT(glm::distance(math::Vec2(eye()), math::Vec2(before)), 1e-4f);
+  played.run(0.2, 1.0 / 250);
+  EXPECT_GT(glm::distance(math::Vec2(eye()), math::Vec2(before)), 10);
+  EXPECT_LT(
+      glm::distance(math::Vec2(eye()),
+                    math::Vec2(played.host().session().server()->game()->player(0)[server::field::kOrigin])),
+      10)
+      << "and not far from the server's word";
+}
+
 TEST(Host, WalksWhereItsKeysSay) {
   SKIP_WITHOUT_QUAKEC();
   PlayedHost played({"map small"});
