@@ -147,7 +147,7 @@ struct ClientState::Apply {
       }
       if (state.command_line_ == "bf")
         ++events.bonus_flashes;
-      else
+      else if (!state.command_line_.starts_with("//"))
         events.commands.push_back(state.command_line_);
       state.command_line_.clear();
     }

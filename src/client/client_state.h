@@ -133,6 +133,8 @@ class ClientState {
   // All entities that the last packet showed, and the static ones, as they are at `time_s`, in order of
   // number. Valid until the next call.
   std::span<const SeenEntity> entities_at(double time_s, const ClientSettings& settings);
+  // Where the last packet has put what it showed, in order of number. Static entities are not among them.
+  void latest_places(std::vector<EntityPlace>& out_places) const { entities_.latest(out_places); }
   FrameBlend weapon_frame_at(double time_s, const ClientSettings& settings) const;
   // The last packet put the view somewhere else: what is drawn must not glide there.
   bool view_has_jumped() const { return entities_.has_jumped(game_.view_entity); }

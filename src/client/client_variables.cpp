@@ -41,6 +41,8 @@ ClientVariables::ClientVariables(command::Variables& variables) {
   no_lerp_ = variables.add_bool("cl_nolerp", !defaults.interpolate,
                                 "Entities stand where the server's last word put them, as in the original's "
                                 "recordings; 0: they move smoothly.");
+  predict_ = variables.add_bool("cl_predict", defaults.predict,
+                                "Shows the player's own movement at once, where the server takes part.");
   no_lerp_models_ =
       variables.add_text("r_nolerp_list", fmt::format("{}", fmt::join(defaults.no_lerp_models, ",")),
                          "Models that jump from frame to frame, with commas between.");
@@ -84,6 +86,7 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
     return static_cast<float>(variables.float_value(index));
   };
   PresentationSettings settings;
+  settings.predict = variables.bool_value(predict_);
   settings.interpolate = !variables.bool_value(no_lerp_);
   settings.no_lerp_models = split_at_commas(variables.text_value(no_lerp_models_));
   settings.effects.max_particles = static_cast<std::size_t>(variables.int_value(max_particles_));

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace temblor::client {
 namespace {
 
 constexpr int kMovesLeftOut = 2;
+constexpr double kLongestHitch_s = 0.25;
+constexpr double kAlmostATick = 1e-6;
 constexpr std::size_t kMaxCommandsKept = 1000;
 constexpr std::size_t kMaxSentBytes = 4000;  // and the line that is begun: within what any server takes
 
@@ -18,6 +22,9 @@ void Connection::connect(const platform::Address& server, double now_s) {
   lost_because_.clear();
   answered_signon_ = 0;
   view_angles_deg_ = math::Vec3{0.0f};
+  move_terms_.reset();
+  acknowledged_.reset();
+  sent_moves_.begin_level();
   endpoint_.connect(server, now_s);
 }
 
@@ -59,9 +66,14 @@ base::Status Connection::read(base::Bytes packet) {
       endpoint_.set_protocol(info->dialect.protocol);
       answered_signon_ = 0;
       moves_left_out_ = 0;
+      move_terms_.reset();
+      acknowledged_.reset();
+      sent_moves_.begin_level();
       has_level = true;
     }
     if (const auto* turn = std::get_if<net::SetAngle>(&*message)) view_angles_deg_ = turn->angles_deg;
+    const auto* stuffed = std::get_if<net::StuffText>(&*message);
+    if (stuffed && take_comment(stuffed->text)) continue;
     has_time |= std::holds_alternative<net::Time>(*message);
     TRY_STATUS(state_.apply(*message));
     if (std::holds_alternative<net::SignonNumber>(*message)) answer_signon();
@@ -96,6 +108,18 @@ void Connection::answer_signon() {
   } else if (stage == 3) {
     send_command("begin");
   }
+}
+
+// What servers of ours say to clients of ours.
+bool Connection::take_comment(std::string_view text) {
+  if (!text.starts_with("//")) return false;
+  if (const auto terms = net::read_move_terms(text)) {
+    move_terms_ = terms;
+  } else if (const auto told = net::read_acknowledgement(text)) {
+    acknowledged_ = told;
+    ++acknowledgements_;
+  }
+  return true;
 }
 
 void Connection::run_stuffed_commands() {
@@ -134,16 +158,41 @@ void Connection::send_waiting() {
   }
 }
 
+int Connection::moves_due(double now_s) {
+  if (!move_terms_) return 1;
+  const double tick_s = move_terms_->tick_s;
+  const double waited_s = last_move_due_s_ ? now_s - *last_move_due_s_ : kLongestHitch_s;
+  if (!(waited_s >= 0 && waited_s < kLongestHitch_s)) {
+    last_move_due_s_ = now_s - tick_s;
+    return 1;
+  }
+  // Clocks that go in whole ticks are not to miss one for a rounding.
+  return static_cast<int>(waited_s / tick_s + kAlmostATick);
+}
+
+double Connection::since_last_move_s(double now_s) const {
+  if (!move_terms_ || !last_move_due_s_) return 0;
+  return std::clamp(now_s - *last_move_due_s_, 0.0, move_terms_->tick_s);
+}
+
 void Connection::send_move(net::Move move) {
   if (!is_playing()) return;
   if (moves_left_out_ < kMovesLeftOut) {
     ++moves_left_out_;
+    if (move_terms_ && last_move_due_s_) *last_move_due_s_ += move_terms_->tick_s;
     return;
   }
   view_angles_deg_ = move.angles_deg;
   move.time_s = static_cast<float>(state_.time_s());
+  const net::Protocol protocol = reader_.dialect().protocol;
   base::ByteWriter writer;
-  if (!net::write_client_message(move, reader_.dialect().protocol, writer).ok()) return;
+  if (move_terms_) {
+    if (last_move_due_s_) *last_move_due_s_ += move_terms_->tick_s;
+    if (!sent_moves_.add(move, protocol)) return;
+    sent_moves_.write_packet(protocol, writer);
+  } else if (!net::write_client_message(move, protocol, writer).ok()) {
+    return;
+  }
   // One that does not get through is made good by the next.
   if (!endpoint_.send_unreliable(std::move(writer).take()).ok()) return;
 }

@@ -11,10 +11,12 @@
 
 #include "base/result.h"
 #include "client/client_state.h"
+#include "client/sent_moves.h"
 #include "net/client_endpoint.h"
 #include "net/client_message.h"
 #include "net/demo_recording.h"
 #include "net/message_reader.h"
+#include "net/numbered_moves.h"
 
 namespace temblor::client {
 
@@ -33,6 +35,9 @@ class Connection {
 
   // Reads all that has come, and answers it; once a frame. Each packet that was read goes to the state whole.
   void update(double now_s);
+  // How many moves are to be sent now, once a frame: one of each tick that has passed to a server that takes
+  // them numbered (what a hitch of more than a quarter of a second leaves out is forgotten), else one.
+  int moves_due(double now_s);
   // Unreliable, and only once playing: what the player does now. The time is filled in. The first two of a
   // level are left out, as stock clients do: the view is not known yet.
   void send_move(net::Move move);
@@ -47,6 +52,15 @@ class Connection {
 
   ClientState& state() { return state_; }
   const ClientState& state() const { return state_; }
+  // How the server plays moves that are numbered; nothing: it does not take them.
+  const std::optional<net::MoveTerms>& move_terms() const { return move_terms_; }
+  // What came of them, as the last update said; nothing before it has.
+  const std::optional<net::MoveAcknowledgement>& acknowledged() const { return acknowledged_; }
+  // Counts those of all levels.
+  std::uint64_t acknowledgements() const { return acknowledgements_; }
+  std::span<const NumberedMove> sent_moves() const { return sent_moves_.moves(); }
+  // Of the server's clock, since the last numbered move; at most a tick.
+  double since_last_move_s(double now_s) const;
   // Packets with the game's time that were read: updates.
   std::uint64_t updates() const { return updates_; }
   // Records what comes from the next level on that the server tells of: a recording holds levels from their
@@ -64,6 +78,7 @@ class Connection {
   base::Status read(base::Bytes packet);
   void record(base::Bytes packet, bool begins_level);
   void answer_signon();
+  bool take_comment(std::string_view text);
   void run_stuffed_commands();
   void send_waiting();
 
@@ -76,6 +91,11 @@ class Connection {
   std::string lost_because_;
   int answered_signon_ = 0;
   int moves_left_out_ = 0;
+  std::optional<net::MoveTerms> move_terms_;
+  std::optional<net::MoveAcknowledgement> acknowledged_;
+  std::uint64_t acknowledgements_ = 0;
+  SentMoves sent_moves_;
+  std::optional<double> last_move_due_s_;  // when the last numbered one was
   std::uint64_t updates_ = 0;
   std::optional<net::DemoRecording> recording_;
   math::Vec3 view_angles_deg_{0.0f};  // as last said by the server or sent to it

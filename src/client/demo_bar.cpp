@@ -36,8 +36,8 @@ double length_s(const DemoSession& session) {
 
 void draw_demo_bar(const DemoSession& session, const assets::Pictures& pictures, int width, int height,
                    int scale, render::DrawList& io_list) {
-  const Panel panel =
-      Panel(pictures, io_list, width, height, choose_scale(width, height, scale)).at_bottom(kHeight);
+  const Panel panel = Panel(pictures, io_list, width, height, choose_scale(width, height, scale))
+                          .at_bottom(kHeight + kBarHeight + kInventoryHeight);
   const double passed_s = session.time_s() - session.begin_s();
   const double part = length_s(session) > 0 ? std::clamp(passed_s / length_s(session), 0.0, 1.0) : 1;
   panel.text(fmt::format("{} / {}", clock_text(passed_s), clock_text(length_s(session))), kLeft, 0);

@@ -1,4 +1,4 @@
-// What somebody who watches a recording wants to know of it, at the bottom of the frame.
+// What somebody who watches a recording wants to know of it, above the status bar.
 #pragma once
 
 #include "assets/pictures.h"

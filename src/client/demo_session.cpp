@@ -49,12 +49,18 @@ base::Result<bool> DemoSession::seek(double time_s, const PresentationSettings& 
   return there;
 }
 
+// Packets of one time are one.
 base::Result<bool> DemoSession::step(int packets, const PresentationSettings& settings) {
+  if (!has_begun_) return seek(begin_s(), settings);
   const std::vector<double>& times_s = index_.packet_times_s();
-  const auto here = std::lower_bound(times_s.begin(), times_s.end(), time_s_);
-  const auto last = static_cast<std::ptrdiff_t>(times_s.size()) - 1;
-  const std::ptrdiff_t wanted = std::clamp<std::ptrdiff_t>(here - times_s.begin() + packets, 0, last);
-  return seek(times_s[static_cast<std::size_t>(wanted)], settings);
+  if (packets <= 0) {
+    const auto here = std::lower_bound(times_s.begin(), times_s.end(), time_s_) - times_s.begin();
+    return seek(times_s[static_cast<std::size_t>(std::max<std::ptrdiff_t>(here + packets, 0))], settings);
+  }
+  const auto next = std::upper_bound(times_s.begin(), times_s.end(), time_s_) - times_s.begin();
+  const auto wanted = static_cast<std::size_t>(next + packets - 1);
+  constexpr double kPastTheEnd_s = 1;
+  return go_on_to(wanted < times_s.size() ? times_s[wanted] : end_s() + kPastTheEnd_s, settings);
 }
 
 base::Status DemoSession::go_before(double time_s, const PresentationSettings& settings) {

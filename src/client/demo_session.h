@@ -51,7 +51,8 @@ class DemoSession {
   base::Result<bool> advance(double passed_s, const PresentationSettings& settings);
   // Times before the beginning and behind the end are these.
   base::Result<bool> seek(double time_s, const PresentationSettings& settings);
-  // To the end of the packet that many after this one, or before it: frame by frame.
+  // To the end of the packet that many after this one, or before it, whether or not it is paused. False past
+  // the last one: the recording has ended.
   base::Result<bool> step(int packets, const PresentationSettings& settings);
 
   ClientState& state() { return player_->state(); }

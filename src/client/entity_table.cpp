@@ -123,6 +123,13 @@ bool EntityTable::has_jumped(std::uint16_t number) const {
   return number < entities_.size() && entities_[number].jumped;
 }
 
+void EntityTable::latest(std::vector<EntityPlace>& out_places) const {
+  out_places.clear();
+  for (const std::uint16_t number : shown_)
+    out_places.push_back(
+        {number, entities_[number].now.model, entities_[number].motion.target().origin_world});
+}
+
 SeenEntity EntityTable::seen(std::uint16_t number, double time_s, const Viewer& viewer,
                              const ClientSettings& settings) {
   Entity& entity = entities_[number];

@@ -35,6 +35,9 @@ class EntityTable {
   // The last update of that entity showed it for the first time, or too far from the one before.
   bool has_jumped(std::uint16_t number) const;
 
+  // Where the last packet has put them, in order of number.
+  void latest(std::vector<EntityPlace>& out_places) const;
+
   struct Viewer {
     std::uint16_t entity = 0;  // shown even without a model: the view is in it
     std::size_t players = 0;   // colour maps above that are none

@@ -75,6 +75,7 @@ struct Menu::State {
 
   void take(const platform::InputEvent& event);
   void point(const platform::PointerMoved& moved);
+  bool is_at_rest();
   void type(std::string_view text);
   void pick(char letter);
   bool take_mouse(const KeyChange& change);
@@ -88,8 +89,11 @@ struct Menu::State {
   std::vector<OpenPage> pages;
   MenuSteps steps;
   bool refresh_waits = false;  // until the row that is edited is done
-  bool drop_text = false;      // what the key that was just taken types
-  bool point_again = false;    // the rows have moved under the pointer
+  bool rests = false;          // the pointer, since the menu has opened
+  std::optional<int> rest_x;   // where; nothing: not known yet
+  int rest_y = 0;
+  bool drop_text = false;    // what the key that was just taken types
+  bool point_again = false;  // the rows have moved under the pointer
   int frame_width = 0, frame_height = 0;
   int pointer_x = -1, pointer_y = -1;
   std::vector<std::string> commands, sounds;
@@ -186,10 +190,23 @@ void Menu::State::step(MenuStep step) {
   }
 }
 
+// A pointer that appears where the menu has opened, because the game let go of it, points at nothing yet.
+bool Menu::State::is_at_rest() {
+  constexpr int kTremble_px = 8;
+  if (!rests) return false;
+  if (!rest_x) {
+    rest_x = pointer_x;
+    rest_y = pointer_y;
+  }
+  rests = std::abs(pointer_x - *rest_x) <= kTremble_px && std::abs(pointer_y - rest_y) <= kTremble_px;
+  return rests;
+}
+
 void Menu::State::point(const platform::PointerMoved& moved) {
   if (!std::isfinite(moved.x) || !std::isfinite(moved.y)) return;
   pointer_x = pixel_of(moved.x, frame_width);
   pointer_y = pixel_of(moved.y, frame_height);
+  if (is_at_rest()) return;
   if (top().is_sliding())
     top().slide_to(pointer_x, pointer_y);
   else if (waiting_row() == nullptr)
@@ -295,6 +312,8 @@ void Menu::open(MenuPage page) {
   const bool was_open = is_open();
   if (!was_open) {
     state_->drop_text = true;
+    state_->rests = true;
+    state_->rest_x.reset();
     state_->steps = {};
   }
   Outcome outcome = opening(state_->context, page);

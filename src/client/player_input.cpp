@@ -163,4 +163,9 @@ net::Move PlayerInput::take_move(double time_s, const InputSettings& settings) {
           .impulse = std::exchange(impulse_, std::uint8_t{0})};
 }
 
+net::Move PlayerInput::peek_move(double time_s, const InputSettings& settings) const {
+  PlayerInput copy = *this;
+  return copy.take_move(time_s, settings);
+}
+
 }  // namespace temblor::client

@@ -61,6 +61,8 @@ class PlayerInput {
   void look(const LookMoment& moment, const InputSettings& settings);
   // What the player wished since the last move; time_s is left to the connection.
   net::Move take_move(double time_s, const InputSettings& settings);
+  // The same, left to be taken: what a prediction goes on with between two moves.
+  net::Move peek_move(double time_s, const InputSettings& settings) const;
 
  private:
   void look_by_mouse(const LookMoment& moment, const InputSettings& settings);

@@ -74,7 +74,8 @@ Presentation::Sight Presentation::look(ClientState& io_state, double time_s,
   const world::Level& level = *models_->level();
   effects_.advance(io_state.events(), {level, time_s, entities, models_->flags(), game.view_entity},
                    settings.effects);
-  const ViewMoment moment{time_s, view_angles_deg, find_entity(entities, game.view_entity), level};
+  ViewMoment moment{time_s, view_angles_deg, find_entity(entities, game.view_entity), level};
+  if (prediction_ && settings.predict) moment.own = prediction_->advance(io_state, level, entities);
   PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
   if (settings.camera) view = view_from(*settings.camera, level, settings.view);
   hud_.advance(game, io_state.events(), time_s);

@@ -16,6 +16,7 @@
 #include "client/hud.h"
 #include "client/level_environment.h"
 #include "client/model_table.h"
+#include "client/prediction.h"
 #include "client/scene_builder.h"
 #include "client/view.h"
 #include "render/draw_list.h"
@@ -25,6 +26,7 @@ namespace temblor::client {
 
 struct PresentationSettings {
   bool interpolate = true;  // ClientSettings
+  bool predict = true;      // the player's own moves, where the server takes part
   // Models that are not blended from frame to frame, by their names in the precache list; followed from the
   // next level on.
   std::vector<std::string> no_lerp_models = {"progs/flame.mdl", "progs/flame0.mdl", "progs/flame2.mdl"};
@@ -61,6 +63,9 @@ class Presentation {
   // in this moment is still to be acted on.
   base::Status resume(ClientState& io_state, const EffectCounts& before,
                       const PresentationSettings& settings);
+  // From the next call on the player is shown where `prediction` has him, after its begin_frame(); null:
+  // where the server has. It must live until then.
+  void follow(Prediction* prediction) { prediction_ = prediction; }
   // Whether there is a level to draw.
   bool has_level() const { return models_.has_value(); }
 
@@ -98,6 +103,7 @@ class Presentation {
   ClientSettings client_settings_;
   Effects effects_;
   View view_;
+  Prediction* prediction_ = nullptr;
   Hud hud_;
   SceneBuilder scene_builder_;
   AudioScene audio_scene_;

@@ -45,6 +45,12 @@ struct SeenEntity {
   static constexpr std::uint32_t kFirstStatic = 1u << 16;
 };
 
+// As the last packet said.
+struct EntityPlace {
+  std::uint16_t number = 0, model = 0;
+  math::Vec3 origin_world{0.0f};
+};
+
 // `entities` are in order of number. Null: it is not among them.
 inline const SeenEntity* find_entity(std::span<const SeenEntity> entities, std::uint32_t number) {
   const auto found =

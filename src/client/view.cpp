@@ -70,9 +70,12 @@ PlayerView View::advance(const Game& game, const Events& events, const ViewMomen
 void View::follow(const Game& game, const Events& events, const ViewMoment& moment) {
   if (begun_ && moment.time_s < last_time_s_) begin_level();
   const double passed_s = begun_ ? moment.time_s - last_time_s_ : 0;
-  follow_place(moment, game.data.on_ground, passed_s);
-  if (!begun_) velocity_.jump(game.data.velocity, moment.time_s);
-  velocity_.advance(game.data.velocity, moment.time_s);
+  follow_place(moment, moment.own ? moment.own->on_ground : game.data.on_ground, passed_s);
+  // What is told comes in steps; what is predicted is of this moment.
+  if (!begun_ || moment.own)
+    velocity_.jump(moment.own ? moment.own->velocity : game.data.velocity, moment.time_s);
+  else
+    velocity_.advance(game.data.velocity, moment.time_s);
   // A kick is felt at once; it is its fading that comes in steps.
   if (grows(game.data.punch_deg, punch_deg_.value(moment.time_s)))
     punch_deg_.jump(game.data.punch_deg, moment.time_s);
@@ -90,6 +93,7 @@ void View::follow_place(const ViewMoment& moment, bool on_ground, double passed_
     place_world_ = moment.view_entity->origin_world;
     place_angles_deg_ = moment.view_entity->angles_deg;
   }
+  if (moment.own) place_world_ = moment.own->origin_world;
   // Through a teleporter nobody climbs.
   constexpr float kJump = 100;
   if (!begun_ || glm::distance(before_world, place_world_) > kJump) stairs_.follow(place_world_.z);

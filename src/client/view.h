@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "client/client_state.h"
@@ -24,11 +25,18 @@ struct ViewSettings {
   float weapon_rise = 2;
 };
 
+// The player's own place as it is shown, where that is not what the server's last word says.
+struct OwnMotion {
+  math::Vec3 origin_world{0.0f}, velocity{0.0f};
+  bool on_ground = false;
+};
+
 struct ViewMoment {
   double time_s;
   math::Vec3 view_angles_deg;     // where the player looks
   const SeenEntity* view_entity;  // null: it is not there; then the last place is kept
   const world::Level& level;
+  std::optional<OwnMotion> own{};  // in place of the view entity's origin and of the update's velocity
 };
 
 struct PlayerView {

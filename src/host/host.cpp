@@ -257,7 +257,15 @@ void Host::look_and_move() {
                .ideal_pitch_deg = game.data.ideal_pitch_deg,
                .may_drift = game.data.on_ground},
               settings);
-  if (session_->wants_move(now_s_)) session_->send_move(input_.take_move(now_s_, settings), now_s_);
+  if (is_halted()) return;
+  if (const int due = session_->moves_due(now_s_); due > 0) {
+    net::Move move = input_.take_move(now_s_, settings);
+    for (int i = 0; i < due; ++i) {
+      session_->send_move(move, now_s_);
+      move.impulse = 0;
+    }
+  }
+  prediction_.begin_frame(*session_->connection(), input_.peek_move(now_s_, settings), now_s_);
 }
 
 }  // namespace temblor::host

@@ -12,6 +12,7 @@
 #include "client/demo_session.h"
 #include "client/menu.h"
 #include "client/player_input.h"
+#include "client/prediction.h"
 #include "client/presentation.h"
 #include "client/sound_output.h"
 #include "command/console.h"
@@ -147,6 +148,7 @@ class Host {
   client::Bindings bindings_;
   client::HeldKeys held_;
   client::PlayerInput input_;
+  client::Prediction prediction_;
   std::unique_ptr<GameData> data_;
   std::unique_ptr<MenuLists> menu_lists_;
   std::optional<client::Menu> menu_;

@@ -17,6 +17,7 @@ constexpr int kMostScreenshots = 10000;
 void Host::take_up_data() {
   session_ = std::make_unique<Session>(services_, data_->library, variables_.server(), options_.program_file);
   menu_lists_ = std::make_unique<MenuLists>(*this, *data_);
+  data_->presentation.follow(&prediction_);
   menu_.emplace(variables_.variables(), data_->presentation.pictures(), menu_lists_->content());
 }
 

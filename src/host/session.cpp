@@ -100,10 +100,10 @@ std::optional<std::string> Session::read(double now_s) {
   return std::nullopt;
 }
 
-bool Session::wants_move(double now_s) const {
-  if (!is_playing()) return false;
-  if (server_) return server_->until_next_tick_s(server_now_s_ + (now_s - stepped_s_)) <= 0;
-  return now_s - moved_s_ >= kMovesEvery_s;
+int Session::moves_due(double now_s) {
+  if (!is_playing()) return 0;
+  if (connection_->move_terms()) return connection_->moves_due(now_s);
+  return now_s - moved_s_ >= kMovesEvery_s ? 1 : 0;
 }
 
 void Session::send_move(net::Move move, double now_s) {

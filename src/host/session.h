@@ -39,8 +39,8 @@ class Session {
   std::optional<std::string> read(double now_s);
   // The moment to show, on the server's clock: with the last update or between the last two.
   double time_s() const { return time_s_; }
-  // Whether a move should be sent now: before each tick of the own server, 72 times a second to others.
-  bool wants_move(double now_s) const;
+  // How many moves should be sent now: one for each tick of a server that counts them, 72 a second to others.
+  int moves_due(double now_s);
   void send_move(net::Move move, double now_s);
   // Lets the server here go on to this time; nothing where there is none. While `halted` its time stands
   // still, but it still listens. May run on another thread while nothing else is called.

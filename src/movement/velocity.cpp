@@ -1,6 +1,7 @@
 #include "movement/velocity.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "math/angles.h"
 
@@ -81,6 +82,14 @@ math::Vec3 wish_velocity(const math::Vec3& angles_deg, const Wish& wish) {
 math::Vec3 capped(const math::Vec3& velocity, float max_speed) {
   const float speed = glm::length(velocity);
   return speed > max_speed ? velocity * (max_speed / speed) : velocity;
+}
+
+math::Vec3 bounded(math::Vec3 velocity, float max_velocity) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::isnan(velocity[axis])) velocity[axis] = 0;
+    velocity[axis] = std::max(std::min(velocity[axis], max_velocity), -max_velocity);
+  }
+  return velocity;
 }
 
 float roll_deg(const math::Vec3& angles_deg, const math::Vec3& velocity) {

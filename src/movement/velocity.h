@@ -37,6 +37,9 @@ math::Vec3 wish_velocity(const math::Vec3& angles_deg, const Wish& wish);
 // The same direction, no faster.
 math::Vec3 capped(const math::Vec3& velocity, float max_speed);
 
+// No faster along any axis; what is no number is 0.
+math::Vec3 bounded(math::Vec3 velocity, float max_velocity);
+
 // How far a body leans to the side that it moves to.
 float roll_deg(const math::Vec3& angles_deg, const math::Vec3& velocity);
 // Fades by 10 degrees a second.

@@ -4,11 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 
 #include "base/bytes.h"
+#include "net/numbered_moves.h"
 #include "net/server_endpoint.h"
 #include "server/client_datagram.h"
+#include "server/move_queue.h"
 
 namespace temblor::server {
 
@@ -37,8 +40,10 @@ struct Client {
   std::uint8_t colors = 0;  // shirt << 4 | pants
   SpawnParameters parameters{};
   PlayerInput input{};
-  std::int16_t frags_told = 0;  // what clients know
-  double joined_at_s = 0;       // of the server's clock
+  MoveQueue moves;                             // in place of `input`, once they are numbered
+  std::optional<net::MoveTerms> told_terms{};  // of this level
+  std::int16_t frags_told = 0;                 // what clients know
+  double joined_at_s = 0;                      // of the server's clock
   std::deque<WaitingMessage> waiting;
   // While it loads: stock clients that read anything then give up. Sent behind the level's beginning.
   std::deque<WaitingMessage> held;

@@ -168,6 +168,10 @@ DatagramCounts write_datagram(Game& io_game, std::size_t slot, const Snapshot& s
   write_damage(io_game, edict, io_writer);
   write_turn(io_game, edict, io_untold.turn, io_writer);
   io_game.outbox().write(client_data_of(io_game, slot), io_writer);
+  if (!io_untold.acknowledgement.empty()) {
+    io_game.outbox().write(net::StuffText{io_untold.acknowledgement}, io_writer);
+    io_untold.acknowledgement.clear();
+  }
   const std::size_t room = max_size > io_writer.size() ? max_size - io_writer.size() : 0;
   choose_seen(io_game, slot, snapshot, room, io_scratch, counts);
   for (const std::uint32_t i : io_scratch.seen) io_writer.bytes(snapshot.update_of(snapshot.entities[i]));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/bytes.h"
@@ -36,6 +37,8 @@ struct Untold {
   // Of ticks of which he got no datagram, see keep_events(): bytes, and where each event ends.
   base::ByteWriter events{};
   std::vector<std::size_t> event_ends{};
+  // Of the player's moves: a line for his console that is comment to stock ones; empty: none. Told once.
+  std::string acknowledgement{};
 };
 
 // Status bar, weapon and view.

@@ -149,16 +149,26 @@ base::Status Game::tick(std::span<const PlayerInput> inputs) {
     if (active_players_[slot]) take_input(slot, inputs[slot]);
   }
   const std::span<const bool> active = std::span(active_players_).first(setup_.max_clients);
-  const TickFunctions functions{.start_frame = machine_.global_function(global::kStartFrame),
-                                .player_pre_think = machine_.global_function(global::kPlayerPreThink),
-                                .player_post_think = machine_.global_function(global::kPlayerPostThink)};
-  TRY_STATUS(
-      run_physics(world_, functions, active, machine_.global_words()[base::to_size(global::kForceRetouch)]));
-  for (const PhysicsSound& sound : world_.sounds) send_sound(sound);
-  world_.sounds.clear();
+  TRY_STATUS(run_physics(world_, tick_functions(), active,
+                         machine_.global_words()[base::to_size(global::kForceRetouch)]));
+  send_sounds();
   mark_signon_end();
   machine_.collect_strings();
   return base::Ok{};
+}
+
+base::Status Game::play_move(std::size_t slot, const PlayerInput& input) {
+  machine_.set_global_float(global::kFrameTime, static_cast<float>(world_.tick_s));
+  take_input(slot, input);
+  TRY_STATUS(run_player(world_, player_index(slot), tick_functions()));
+  send_sounds();
+  return base::Ok{};
+}
+
+TickFunctions Game::tick_functions() const {
+  return {.start_frame = machine_.global_function(global::kStartFrame),
+          .player_pre_think = machine_.global_function(global::kPlayerPreThink),
+          .player_post_think = machine_.global_function(global::kPlayerPostThink)};
 }
 
 void Game::take_input(std::size_t slot, const PlayerInput& input) {
@@ -220,6 +230,11 @@ base::Status Game::set_player_look(std::size_t slot, std::string_view name, std:
 void Game::restore_environment(const world::LightStylePatterns& styles, const SpawnParameters& parameters) {
   context_.light_styles = styles;
   context_.spawn_parameters[0] = parameters;
+}
+
+void Game::send_sounds() {
+  for (const PhysicsSound& sound : world_.sounds) send_sound(sound);
+  world_.sounds.clear();
 }
 
 // As sound() of QuakeC has them by default.

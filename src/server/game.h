@@ -75,6 +75,8 @@ class Game {
 
   // One tick: players' input, then physics. `inputs`: one for each client slot.
   base::Status tick(std::span<const PlayerInput> inputs);
+  // A tick of this player alone, before the next one of all: he has something to catch up on.
+  base::Status play_move(std::size_t slot, const PlayerInput& input);
 
   // --- Players, by slot (0 to max_clients - 1)
   Edict player(std::size_t slot) { return world_.edicts[player_index(slot)]; }
@@ -127,6 +129,8 @@ class Game {
   base::Status set_up_world();
   base::Status spawn_level();
   void take_input(std::size_t slot, const PlayerInput& input);
+  TickFunctions tick_functions() const;
+  void send_sounds();
   void send_sound(const PhysicsSound& sound);
   void mark_signon_end();
   SpawnParameters parameters() const;

@@ -27,12 +27,7 @@ struct Mover {
 
 world::Trace trace_model(const world::Level& level, world::ModelIndex model, const math::Vec3& origin,
                          const Mover& mover) {
-  const world::HullChoice choice = world::choose_hull(mover.box.mins, mover.box.maxs);
-  const math::Vec3 to_hull = choice.offset - origin;
-  world::Trace trace =
-      world::trace_line(level, model, choice.hull, mover.start + to_hull, mover.end + to_hull);
-  trace.end = trace.fraction == 1 ? mover.end : trace.end - to_hull;
-  return trace;
+  return world::trace_box_through(level, model, origin, mover.box, mover.start, mover.end);
 }
 
 world::Trace trace_entity(const GameWorld& world, const Edict& edict, const Mover& mover) {

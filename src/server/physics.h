@@ -4,6 +4,7 @@
 #include <span>
 
 #include "base/result.h"
+#include "movement/player.h"
 #include "server/game_random.h"
 #include "server/game_world.h"
 
@@ -15,6 +16,9 @@ struct PlayerCommand {
   float forward = 0, side = 0, up = 0;  // units a second
 };
 
+// A player as what moves him sees him; settled_in_s is of the world's time.
+movement::Player player_of(const GameWorld& world, const Edict& edict);
+
 // The player's own movement before physics: angles, accelerations of walking, swimming and flying into
 // `velocity` (the original's client think). Punch angles fade. `io_world.tick_s` long.
 void move_player(GameWorld& io_world, vm::EntityIndex player, const PlayerCommand& command);
@@ -23,6 +27,10 @@ void move_player(GameWorld& io_world, vm::EntityIndex player, const PlayerComman
 struct TickFunctions {
   vm::FunctionIndex start_frame{}, player_pre_think{}, player_post_think{};
 };
+
+// A tick of one player: the program's functions around his think and move. Part of run_physics(); by itself
+// for who has more than one move to catch up on.
+base::Status run_player(GameWorld& io_world, vm::EntityIndex player, const TickFunctions& functions);
 
 // Everything that moves, in order of number; `active_players` by slot (entity number - 1). `io_force_retouch`
 // is the word of the global of that name: while its value is above 0 everything touches what it is in, and it

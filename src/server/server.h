@@ -14,6 +14,7 @@
 #include "assets/library.h"
 #include "base/result.h"
 #include "command/console.h"
+#include "net/client_message.h"
 #include "net/server_endpoint.h"
 #include "server/client_datagram.h"
 #include "server/clients.h"
@@ -101,6 +102,8 @@ class Server {
   net::ServerDescription description() const;
   void leave(std::size_t slot);
   void take_messages(std::size_t slot, base::Bytes bytes, bool is_reliable);
+  void take_move(std::size_t slot, const net::Move& move);
+  void note_ping(std::size_t slot, float told_time_s);
   void take_command(std::size_t slot, std::string_view line);
   // Answers to what clients ask for while they join; each fails where QuakeC does.
   base::Status tell_level(std::size_t slot);
@@ -123,6 +126,9 @@ class Server {
 
   // Ticks (server_tick.cpp).
   void run_tick();
+  base::Status take_numbered_moves(std::size_t slot);
+  void tell_move_terms();
+  void acknowledge_moves(std::size_t slot);
   void send_tick();
   bool take_turn(std::size_t slot);
   void record_of(std::size_t slot, base::Bytes messages);

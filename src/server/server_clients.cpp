@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "base/text.h"
 #include "command/text.h"
@@ -17,6 +19,29 @@ namespace {
 // Lines of text that a client may give at once, and how many more each second: more than anybody types.
 constexpr double kCommandsAtOnce = 60, kCommandsPerSecond = 20;
 constexpr float kLongestPing_s = 5;
+
+PlayerInput input_of(const net::Move& move) {
+  return {.command = {.view_angles_deg = move.angles_deg,
+                      .forward = static_cast<float>(move.forward),
+                      .side = static_cast<float>(move.side),
+                      .up = static_cast<float>(move.up)},
+          .buttons = move.buttons,
+          .impulse = move.impulse};
+}
+
+// Of one packet; more than it may hold are left out.
+struct PacketMoves {
+  std::optional<std::uint32_t> last_number{};
+  std::array<PlayerInput, net::kMaxMovesInPacket> moves{};
+  std::size_t count = 0;
+  float last_time_s = 0;
+
+  void add(const net::Move& move) {
+    if (count == moves.size()) return;
+    moves[count++] = input_of(move);
+    last_time_s = move.time_s;
+  }
+};
 
 }  // namespace
 
@@ -81,6 +106,8 @@ net::ServerDescription Server::description() const {
 base::Status Server::tell_level(std::size_t slot) {
   clients_[slot].stage = ClientStage::kTold;
   clients_[slot].input = PlayerInput{};
+  clients_[slot].moves = MoveQueue{};
+  clients_[slot].told_terms.reset();
   TRY(base::ByteVector message, level_message(*game_, slot));
   clients_.queue_alone(slot, std::move(message));
   return base::Ok{};
@@ -128,6 +155,7 @@ void Server::take_messages(std::size_t slot, base::Bytes bytes, bool is_reliable
     if (message.ok() && *message && std::holds_alternative<net::Disconnect>(**message)) drop(slot, "left");
     return;
   }
+  PacketMoves numbered;
   while (true) {
     const auto message = reader.next();
     Client& client = clients_[slot];
@@ -135,24 +163,40 @@ void Server::take_messages(std::size_t slot, base::Bytes bytes, bool is_reliable
       client.doom = fmt::format("sent what cannot be read: {}", message.error().what);
       return;
     }
-    if (!message->has_value()) return;
+    if (!message->has_value()) break;
     if (std::holds_alternative<net::Disconnect>(**message)) return drop(slot, "left");
     if (const auto* move = std::get_if<net::Move>(&**message)) {
       if (client.stage != ClientStage::kPlaying) continue;
-      const float ping_s = static_cast<float>(game_->time_s()) - move->time_s;
-      client.add_ping(std::clamp(ping_s, 0.0f, kLongestPing_s));
-      client.input.command = {.view_angles_deg = move->angles_deg,
-                              .forward = static_cast<float>(move->forward),
-                              .side = static_cast<float>(move->side),
-                              .up = static_cast<float>(move->up)};
-      client.input.buttons = move->buttons;
-      // One that comes before the last was played must not take its place.
-      if (move->impulse != 0) client.input.impulse = move->impulse;
+      if (numbered.last_number)
+        numbered.add(*move);
+      else
+        take_move(slot, *move);
     } else if (const auto* command = std::get_if<net::StringCommand>(&**message)) {
+      if (!is_reliable && !numbered.last_number) numbered.last_number = net::read_move_number(command->text);
+      if (numbered.last_number) continue;
       take_command(slot, command->text);
       if (clients_[slot].is_free() || !game_) return;
     }
   }
+  if (numbered.count == 0) return;
+  note_ping(slot, numbered.last_time_s);
+  clients_[slot].moves.add(*numbered.last_number, std::span(numbered.moves).first(numbered.count));
+}
+
+void Server::note_ping(std::size_t slot, float told_time_s) {
+  const float ping_s = static_cast<float>(game_->time_s()) - told_time_s;
+  clients_[slot].add_ping(std::clamp(ping_s, 0.0f, kLongestPing_s));
+}
+
+// One without a number, which holds until the next one comes.
+void Server::take_move(std::size_t slot, const net::Move& move) {
+  Client& client = clients_[slot];
+  note_ping(slot, move.time_s);
+  // One that comes before the last was played must not take its place.
+  const std::uint8_t impulse = move.impulse != 0 ? move.impulse : client.input.impulse;
+  client.input = input_of(move);
+  client.input.impulse = impulse;
+  if (client.moves.has_begun()) client.moves = MoveQueue{};
 }
 
 // Whether this client has not asked for too much lately.

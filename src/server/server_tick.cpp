@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "net/message_writer.h"
+#include "server/move_terms.h"
 #include "server/server.h"
 
 namespace temblor::server {
@@ -55,13 +56,49 @@ void Server::run_tick() {
     client.input.is_active = client.is_in_game();
     inputs_[slot] = client.input;
     client.input.impulse = 0;
+    if (!client.moves.has_begun()) continue;
+    if (const base::Status status = take_numbered_moves(slot); !status.ok()) return fail(status.error());
   }
+  tell_move_terms();
   if (!is_paused_) {
     if (const base::Status status = game_->tick(inputs_); !status.ok()) return fail(status.error());
     ++ticks_;
   }
   send_tick();
   do_requests();
+}
+
+// The last of those whose turn it is becomes this tick's input; where there is none, the player stays.
+base::Status Server::take_numbered_moves(std::size_t slot) {
+  MoveQueue& moves = clients_[slot].moves;
+  inputs_[slot].is_active = false;
+  if (is_paused_) {
+    moves.skip();
+    return base::Ok{};
+  }
+  const std::span<const PlayerInput> turn = moves.take();
+  if (turn.empty()) return base::Ok{};
+  for (const PlayerInput& input : turn.first(turn.size() - 1)) TRY_STATUS(game_->play_move(slot, input));
+  inputs_[slot] = turn.back();
+  inputs_[slot].is_active = true;
+  return base::Ok{};
+}
+
+// Stock clients take it for comment.
+void Server::tell_move_terms() {
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
+    if (!clients_[slot].is_in_game()) continue;
+    const net::MoveTerms terms = move_terms(game_->world(), slot, setup_.settings.tick_s());
+    if (clients_[slot].told_terms == terms) continue;
+    clients_[slot].told_terms = terms;
+    clients_.tell(slot, net::StuffText{net::line_of(terms)});
+  }
+}
+
+void Server::acknowledge_moves(std::size_t slot) {
+  Client& client = clients_[slot];
+  if (!client.moves.has_begun()) return;
+  net::write_line(acknowledgement(*game_, slot, client.moves.played()), client.untold.acknowledgement);
 }
 
 void Server::send_tick() {
@@ -111,6 +148,7 @@ void Server::record_of(std::size_t slot, base::Bytes messages) {
 void Server::send_to(std::size_t slot) {
   Client& client = clients_[slot];
   datagram_.truncate(0);
+  acknowledge_moves(slot);
   write_datagram(*game_, slot, snapshot_, max_datagram(*game_), client.untold, scratch_, datagram_);
   client.rate_credit_bytes -= static_cast<double>(datagram_.size());
   if (setup_.settings.has_reliable_updates())

@@ -175,6 +175,15 @@ Trace trace_line(const Level& level, ModelIndex model, Hull hull, const math::Ve
   return trace;
 }
 
+Trace trace_box_through(const Level& level, ModelIndex model, const math::Vec3& model_origin,
+                        const math::Bounds& box, const math::Vec3& start, const math::Vec3& end) {
+  const HullChoice choice = choose_hull(box.mins, box.maxs);
+  const math::Vec3 to_hull = choice.offset - model_origin;
+  Trace trace = trace_line(level, model, choice.hull, start + to_hull, end + to_hull);
+  trace.end = trace.fraction == 1 ? end : trace.end - to_hull;
+  return trace;
+}
+
 Contents hull_contents(const Level& level, ModelIndex model, Hull hull, const math::Vec3& point) {
   const HullTree tree(level, model, hull);
   return tree.contents_below(tree.head(), math::Vec3d(point));

@@ -32,6 +32,11 @@ struct Trace {
 Trace trace_line(const Level& level, ModelIndex model, Hull hull, const math::Vec3& start,
                  const math::Vec3& end);
 
+// A box through one of the level's models that stands at `model_origin`; all of it, and `end` of the result,
+// in the world. Of the hulls the one that choose_hull() says.
+Trace trace_box_through(const Level& level, ModelIndex model, const math::Vec3& model_origin,
+                        const math::Bounds& box, const math::Vec3& start, const math::Vec3& end);
+
 Contents hull_contents(const Level& level, ModelIndex model, Hull hull, const math::Vec3& point);
 
 }  // namespace temblor::world

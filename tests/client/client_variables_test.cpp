@@ -17,6 +17,7 @@ struct Case {
 std::vector<Case> cases() {
   const auto bar = [](StatusBar status_bar) { return static_cast<double>(status_bar); };
   return {
+      {"cl_predict=0", [](const auto& s) { return s.predict; }, 1, 0},
       {"cl_nolerp=1", [](const auto& s) { return s.interpolate; }, 1, 0},
       {"r_particles_max=7", [](const auto& s) { return static_cast<double>(s.effects.max_particles); }, 16384,
        7},

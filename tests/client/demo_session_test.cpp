@@ -53,6 +53,18 @@ base::ByteVector made_bytes() {
   return make_recording({}).bytes;
 }
 
+// The same recording three times in a row, without the disconnect that ends it.
+base::ByteVector made_three_times() {
+  const base::ByteVector once = made_bytes();
+  formats::DemWriter thrice;
+  for (int i = 0; i < 3; ++i) {
+    formats::DemReader reader = formats::DemReader::open(once).value();
+    for (auto record = reader.next().value(); record; record = reader.next().value())
+      if (reader.offset() < reader.size()) thrice.add(record->view_angles_deg, record->message);
+  }
+  return std::move(thrice).take();
+}
+
 auto values_of(const SeenEntity& entity) {
   return std::tuple(entity.number, entity.model, entity.origin_world, entity.angles_deg, entity.from_frame,
                     entity.to_frame, entity.blend, entity.skin, entity.colormap, entity.effects, entity.alpha,
@@ -281,8 +293,25 @@ TEST(DemoSession, StepsFromPacketToPacket) {
   EXPECT_NEAR(session.time_s(), here_s - 2 * made_recording::kPacket_s, 1e-6);
   ASSERT_TRUE(session.step(-1'000'000, settings).value());
   EXPECT_EQ(session.time_s(), session.begin_s());
-  ASSERT_TRUE(session.step(1'000'000, settings).value());
+  EXPECT_FALSE(session.step(1'000'000, settings).value());
   EXPECT_EQ(session.time_s(), session.end_s());
+  ASSERT_TRUE(session.step(-1, settings).value());
+  ASSERT_TRUE(session.step(1, settings).value()) << "the last packet";
+  EXPECT_FALSE(session.step(1, settings).value());
+}
+
+// As for measuring: every moment of the recording once, and then it is over. Some packets come at one time.
+TEST(DemoSession, StepsToItsEnd) {
+  Played played(made_game().path(), made_three_times());
+  const PresentationSettings settings;
+  std::size_t steps = 0;
+  double before_s = -1;
+  for (; played.session.step(1, settings).value(); ++steps) {
+    ASSERT_GT(played.session.time_s(), before_s);
+    before_s = played.session.time_s();
+  }
+  EXPECT_GT(steps, 3 * made_recording::kLength_s / made_recording::kPacket_s - 10);
+  EXPECT_LE(steps, played.session.length().packets);
 }
 
 // Playing tells of every event once; seeking of none, but of the level.
@@ -326,18 +355,6 @@ TEST(DemoSession, SoundsOfWhatIsSkippedAreNotHeard) {
   ASSERT_TRUE(session.seek(session.begin_s() + 5.5, settings).value());
   EXPECT_TRUE(events.begins_anew);
   EXPECT_TRUE(events.started.empty()) << "the explosion on the way";
-}
-
-// The same recording three times in a row, without the disconnect that ends it.
-base::ByteVector made_three_times() {
-  const base::ByteVector once = made_bytes();
-  formats::DemWriter thrice;
-  for (int i = 0; i < 3; ++i) {
-    formats::DemReader reader = formats::DemReader::open(once).value();
-    for (auto record = reader.next().value(); record; record = reader.next().value())
-      if (reader.offset() < reader.size()) thrice.add(record->view_angles_deg, record->message);
-  }
-  return std::move(thrice).take();
 }
 
 TEST(DemoSession, SeeksAcrossLevels) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "movement/player.h"
+
 namespace temblor::server {
 namespace {
 
@@ -19,17 +21,11 @@ base::Status impact(GameWorld& io_world, vm::EntityIndex mover, vm::EntityIndex 
   return tell(met, mover);
 }
 
-bool is_liquid(world::Contents contents) {
-  // As in the original: all that is neither air nor rock, the sky, too.
-  return contents <= world::Contents::kWater;
-}
-
 }  // namespace
 
-movement::Body EntityEnvironment::body() const {
-  const Edict self = edict();
-  return {self[field::kOrigin], self[field::kVelocity], self.has_flag(flag::kOnGround),
-          static_cast<std::uint32_t>(self[field::kGroundEntity])};
+movement::Body body_of(const Edict& edict) {
+  return {edict[field::kOrigin], edict[field::kVelocity], edict.has_flag(flag::kOnGround),
+          static_cast<std::uint32_t>(edict[field::kGroundEntity])};
 }
 
 void EntityEnvironment::store(const movement::Body& body) {
@@ -104,14 +100,10 @@ base::Result<bool> run_think(GameWorld& io_world, vm::EntityIndex entity) {
 
 void check_velocity(GameWorld& io_world, vm::EntityIndex entity) {
   const Edict edict = io_world.edicts[entity];
-  math::Vec3 velocity = edict[field::kVelocity], origin = edict[field::kOrigin];
-  const float most = io_world.settings.max_velocity;
-  for (int axis = 0; axis < 3; ++axis) {
+  math::Vec3 origin = edict[field::kOrigin];
+  for (int axis = 0; axis < 3; ++axis)
     if (!std::isfinite(origin[axis])) origin[axis] = 0;
-    if (std::isnan(velocity[axis])) velocity[axis] = 0;
-    velocity[axis] = std::max(std::min(velocity[axis], most), -most);
-  }
-  edict.set(field::kVelocity, velocity);
+  edict.set(field::kVelocity, movement::bounded(edict[field::kVelocity], io_world.settings.max_velocity));
   edict.set(field::kOrigin, origin);
 }
 
@@ -125,23 +117,14 @@ void add_gravity(GameWorld& io_world, vm::EntityIndex entity) {
 
 bool check_water(GameWorld& io_world, vm::EntityIndex player) {
   const Edict edict = io_world.edicts[player];
-  const math::Vec3 origin = edict[field::kOrigin];
-  const float bottom = edict[field::kMins].z, top = edict[field::kMaxs].z;
-  const auto contents_at = [&](float height) {
-    return point_contents(io_world, {origin.x, origin.y, origin.z + height});
-  };
-  int level = 0;
-  const world::Contents at_feet = contents_at(bottom + 1);
-  if (is_liquid(at_feet)) {
-    level = 1;
-    if (is_liquid(contents_at((bottom + top) * 0.5f))) {
-      level = 2;
-      if (is_liquid(contents_at(edict[field::kViewOffset].z))) level = 3;
-    }
-  }
-  edict.set(field::kWaterType, static_cast<float>(level > 0 ? at_feet : world::Contents::kEmpty));
-  edict.set(field::kWaterLevel, static_cast<float>(level));
-  return level > 1;
+  const movement::HeightsOfBody heights{edict[field::kMins].z, edict[field::kMaxs].z,
+                                        edict[field::kViewOffset].z};
+  const movement::WaterAround water =
+      movement::water_around(edict[field::kOrigin], heights,
+                             [&](const math::Vec3& point) { return point_contents(io_world, point); });
+  edict.set(field::kWaterType, static_cast<float>(water.at_feet));
+  edict.set(field::kWaterLevel, static_cast<float>(water.level));
+  return water.level >= movement::kSwimmingLevel;
 }
 
 void check_water_transition(GameWorld& io_world, vm::EntityIndex entity) {
@@ -154,8 +137,8 @@ void check_water_transition(GameWorld& io_world, vm::EntityIndex entity) {
     return;
   }
   const bool was_in_air = edict[field::kWaterType] == static_cast<float>(world::Contents::kEmpty);
-  if (is_liquid(contents) == was_in_air) io_world.sounds.push_back({entity, kSplash});
-  const bool is_in = is_liquid(contents);
+  if (movement::is_liquid(contents) == was_in_air) io_world.sounds.push_back({entity, kSplash});
+  const bool is_in = movement::is_liquid(contents);
   edict.set(field::kWaterType, is_in ? here : static_cast<float>(world::Contents::kEmpty));
   edict.set(field::kWaterLevel, is_in ? 1.0f : here);
 }

@@ -7,12 +7,14 @@
 
 namespace temblor::server {
 
+movement::Body body_of(const Edict& edict);
+
 // An entity and what it moves among: what it touches is told to the program, which may do anything with it.
 class EntityEnvironment : public movement::WalkEnvironment {
  public:
   EntityEnvironment(GameWorld& io_world, vm::EntityIndex entity) : world_(io_world), entity_(entity) {}
 
-  movement::Body body() const;
+  movement::Body body() const { return body_of(edict()); }
   void store(const movement::Body& body);
 
   movement::Contact trace(const math::Vec3& start, const math::Vec3& end) override;

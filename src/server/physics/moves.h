@@ -6,7 +6,6 @@
 
 namespace temblor::server {
 
-base::Status run_player(GameWorld& io_world, vm::EntityIndex player, const TickFunctions& functions);
 base::Status run_walker(GameWorld& io_world, vm::EntityIndex entity);    // who walks and is no player
 base::Status run_still(GameWorld& io_world, vm::EntityIndex entity);     // MoveType::kNone
 base::Status run_ghost(GameWorld& io_world, vm::EntityIndex entity);     // kNoClip

@@ -1,69 +1,34 @@
 // Players: their wishes become velocity when their commands arrive, their velocity a way in the tick. Others
 // who walk go the same way without the program's functions for players.
+#include "movement/player.h"
+
 #include "math/angles.h"
-#include "movement/velocity.h"
 #include "server/physics/entity_moves.h"
 #include "server/physics/moves.h"
 
 namespace temblor::server {
 namespace {
 
-// A model shows a third of its player's pitch, and leans more than the view.
-constexpr float kModelPitch = -1.0f / 3, kModelRoll = 4;
-
-movement::Wish wish_of(const PlayerCommand& command) {
-  return {command.forward, command.side, command.up};
+movement::Gait gait_of(MoveType type) {
+  switch (type) {
+    case MoveType::kNone:
+      return movement::Gait::kStill;
+    case MoveType::kWalk:
+      return movement::Gait::kWalk;
+    case MoveType::kFly:
+      return movement::Gait::kFly;
+    case MoveType::kNoClip:
+      return movement::Gait::kNoClip;
+    default:
+      return movement::Gait::kThrown;
+  }
 }
 
-bool is_at_edge(GameWorld& io_world, const Edict& edict) {
-  const math::Vec3 velocity = edict[field::kVelocity];
-  if (velocity.x == 0 && velocity.y == 0) return false;
-  const movement::EdgeProbe probe =
-      movement::edge_probe(edict[field::kOrigin], edict[field::kMins].z, velocity);
+// Nothing of the level between the two.
+bool is_free(GameWorld& io_world, vm::EntityIndex player, const movement::EdgeProbe& probe) {
   constexpr math::Vec3 kPoint(0.0f);
-  return trace_move(io_world, probe.start, kPoint, kPoint, probe.end, MoveKind::kNoMonsters, edict.index())
+  return trace_move(io_world, probe.start, kPoint, kPoint, probe.end, MoveKind::kNoMonsters, player)
              .trace.fraction == 1;
-}
-
-// On foot, in the air, or through everything.
-math::Vec3 velocity_out_of_water(GameWorld& io_world, const Edict& edict, const PlayerCommand& command) {
-  const movement::Settings& settings = io_world.settings;
-  movement::Wish wish = wish_of(command);
-  // Out of a teleporter nobody backs into it again by accident.
-  if (io_world.time_s < double{edict[field::kTeleportTime]} && wish.forward < 0) wish.forward = 0;
-  math::Vec3 wished = movement::wish_velocity(edict[field::kAngles], wish);
-  const MoveType type = edict.move_type();
-  wished.z = type == MoveType::kWalk ? 0 : wish.up;
-  wished = movement::capped(wished, settings.max_speed);
-
-  if (type == MoveType::kNoClip) return wished;
-  const math::Vec3 velocity = edict[field::kVelocity];
-  if (!edict.has_flag(flag::kOnGround))
-    return movement::accelerated_in_air(velocity, wished, settings, tick_of(io_world));
-  const math::Vec3 slowed =
-      movement::slowed_on_ground(velocity, settings, tick_of(io_world), is_at_edge(io_world, edict));
-  return movement::accelerated_on_ground(slowed, wished, settings, tick_of(io_world));
-}
-
-// Out of the water onto a ledge: the program has given the way; it lasts until its time is over, or the
-// water.
-void jump_out_of_water(const GameWorld& world, const Edict& edict) {
-  if (world.time_s > double{edict[field::kTeleportTime]} || edict[field::kWaterLevel] == 0) {
-    edict.clear_flag(flag::kWaterJump);
-    edict.set(field::kTeleportTime, 0);
-  }
-  const math::Vec3 direction = edict[field::kMoveDirection];
-  edict.set(field::kVelocity, {direction.x, direction.y, edict[field::kVelocity].z});
-}
-
-void turn_model(const Edict& edict, const math::Vec3& view_deg) {
-  math::Vec3 angles = edict[field::kAngles];
-  angles.z = movement::roll_deg(angles, edict[field::kVelocity]) * kModelRoll;
-  if (edict[field::kFixAngle] == 0) {
-    angles.x = view_deg.x * kModelPitch;
-    angles.y = view_deg.y;
-  }
-  edict.set(field::kAngles, angles);
 }
 
 // In something solid: back to where it last was not, or to a free place close by.
@@ -130,22 +95,35 @@ base::Result<bool> think_and_move(GameWorld& io_world, vm::EntityIndex entity) {
 
 }  // namespace
 
+movement::Player player_of(const GameWorld& world, const Edict& edict) {
+  return {.body = body_of(edict),
+          .mins_z = edict[field::kMins].z,
+          .gait = gait_of(edict.move_type()),
+          .is_alive = !(edict[field::kHealth] <= 0),
+          .is_turned_by_game = edict[field::kFixAngle] != 0,
+          .angles_deg = edict[field::kAngles],
+          .punch_deg = edict[field::kPunchAngle],
+          .water_level = edict.whole(field::kWaterLevel),
+          .is_jumping_out_of_water = edict.has_flag(flag::kWaterJump),
+          .water_jump_velocity = edict[field::kMoveDirection],
+          .settled_in_s = double{edict[field::kTeleportTime]} - world.time_s};
+}
+
 void move_player(GameWorld& io_world, vm::EntityIndex player, const PlayerCommand& command) {
   const Edict edict = io_world.edicts[player];
   edict.set(field::kViewAngles, command.view_angles_deg);
-  if (edict.move_type() == MoveType::kNone) return;
-  const math::Vec3 punch = edict[field::kPunchAngle];
-  edict.set(field::kPunchAngle, movement::faded_punch(punch, tick_of(io_world)));
-  if (edict[field::kHealth] <= 0) return;
-
-  turn_model(edict, command.view_angles_deg + edict[field::kPunchAngle]);
-  if (edict.has_flag(flag::kWaterJump)) {
-    jump_out_of_water(io_world, edict);
-  } else if (edict[field::kWaterLevel] >= 2 && edict.move_type() != MoveType::kNoClip) {
-    edict.set(field::kVelocity, movement::swum(edict[field::kVelocity], command.view_angles_deg,
-                                               wish_of(command), io_world.settings, tick_of(io_world)));
-  } else {
-    edict.set(field::kVelocity, velocity_out_of_water(io_world, edict, command));
+  movement::Player state = player_of(io_world, edict);
+  if (state.gait == movement::Gait::kStill) return;
+  const bool jumped_out_of_water = state.is_jumping_out_of_water;
+  movement::apply_wishes(state, {command.view_angles_deg, {command.forward, command.side, command.up}},
+                         io_world.settings, tick_of(io_world),
+                         [&](const movement::EdgeProbe& probe) { return is_free(io_world, player, probe); });
+  edict.set(field::kPunchAngle, state.punch_deg);
+  edict.set(field::kAngles, state.angles_deg);
+  edict.set(field::kVelocity, state.body.velocity);
+  if (jumped_out_of_water && !state.is_jumping_out_of_water) {
+    edict.clear_flag(flag::kWaterJump);
+    edict.set(field::kTeleportTime, 0);
   }
 }
 

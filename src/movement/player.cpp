@@ -1,0 +1,73 @@
+#include "movement/player.h"
+
+namespace temblor::movement {
+namespace {
+
+// A model shows a third of its player's pitch, and leans more than the view.
+constexpr float kModelPitch = -1.0f / 3, kModelRoll = 4;
+
+// The way out of the water onto a ledge lasts until its time is over, or the water.
+void jump_out_of_water(Player& io_player) {
+  if (io_player.settled_in_s < 0 || io_player.water_level == 0) io_player.is_jumping_out_of_water = false;
+  io_player.body.velocity.x = io_player.water_jump_velocity.x;
+  io_player.body.velocity.y = io_player.water_jump_velocity.y;
+}
+
+void turn_model(Player& io_player, const math::Vec3& view_deg) {
+  math::Vec3& angles = io_player.angles_deg;
+  angles.z = roll_deg(angles, io_player.body.velocity) * kModelRoll;
+  if (io_player.is_turned_by_game) return;
+  angles.x = view_deg.x * kModelPitch;
+  angles.y = view_deg.y;
+}
+
+bool is_at_edge(const Player& player, base::FunctionRef<bool(const EdgeProbe&)> is_edge) {
+  const math::Vec3& velocity = player.body.velocity;
+  if (velocity.x == 0 && velocity.y == 0) return false;
+  return is_edge(edge_probe(player.body.origin, player.mins_z, velocity));
+}
+
+// On foot, in the air, or through everything.
+math::Vec3 velocity_out_of_water(const Player& player, Wish wish, const Settings& settings, float tick_s,
+                                 base::FunctionRef<bool(const EdgeProbe&)> is_edge) {
+  // Out of a teleporter nobody backs into it again by accident.
+  if (player.settled_in_s > 0 && wish.forward < 0) wish.forward = 0;
+  math::Vec3 wished = wish_velocity(player.angles_deg, wish);
+  wished.z = player.gait == Gait::kWalk ? 0 : wish.up;
+  wished = capped(wished, settings.max_speed);
+
+  if (player.gait == Gait::kNoClip) return wished;
+  const math::Vec3& velocity = player.body.velocity;
+  if (!player.body.on_ground) return accelerated_in_air(velocity, wished, settings, tick_s);
+  const math::Vec3 slowed = slowed_on_ground(velocity, settings, tick_s, is_at_edge(player, is_edge));
+  return accelerated_on_ground(slowed, wished, settings, tick_s);
+}
+
+}  // namespace
+
+void apply_wishes(Player& io_player, const Command& command, const Settings& settings, float tick_s,
+                  base::FunctionRef<bool(const EdgeProbe&)> is_edge) {
+  io_player.punch_deg = faded_punch(io_player.punch_deg, tick_s);
+  if (!io_player.is_alive) return;
+  turn_model(io_player, command.view_angles_deg + io_player.punch_deg);
+  math::Vec3& velocity = io_player.body.velocity;
+  if (io_player.is_jumping_out_of_water)
+    jump_out_of_water(io_player);
+  else if (io_player.water_level >= kSwimmingLevel && io_player.gait != Gait::kNoClip)
+    velocity = swum(velocity, command.view_angles_deg, command.wish, settings, tick_s);
+  else
+    velocity = velocity_out_of_water(io_player, command.wish, settings, tick_s, is_edge);
+}
+
+WaterAround water_around(const math::Vec3& origin, const HeightsOfBody& heights,
+                         base::FunctionRef<world::Contents(const math::Vec3&)> contents_at) {
+  const auto contents_above = [&](float height) {
+    return contents_at({origin.x, origin.y, origin.z + height});
+  };
+  const world::Contents at_feet = contents_above(heights.mins + 1);
+  if (!is_liquid(at_feet)) return {};
+  if (!is_liquid(contents_above((heights.mins + heights.maxs) * 0.5f))) return {1, at_feet};
+  return {is_liquid(contents_above(heights.eyes)) ? 3 : 2, at_feet};
+}
+
+}  // namespace temblor::movement

@@ -1,0 +1,231 @@
+#include "net/numbered_moves.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <span>
+
+namespace temblor::net {
+namespace {
+
+constexpr std::string_view kTermsBegin = "//temblor moves ", kAcknowledgementBegin = "//a ";
+constexpr std::string_view kNumberBegin = "tm ";
+constexpr double kShortestTick_s = 0.001, kLongestTick_s = 0.1;
+
+// Six bits a letter; none of them means anything to a console.
+constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+
+enum Flag : std::uint16_t {
+  kAlive = 1,
+  kOnGround = 2,
+  kJumpReleased = 4,
+  kJumpingOutOfWater = 8,
+  kTurnedByGame = 16,
+  kSlime = 32,
+  kLava = 64,
+  kPunched = 128,
+  kSettling = 256,
+  kOwnGravity = 512,
+  kRide = 1024,
+};
+
+std::uint16_t flags_of(const MoveAcknowledgement& a) {
+  std::uint16_t flags = 0;
+  const auto add = [&](bool is_set, Flag flag) {
+    if (is_set) flags = static_cast<std::uint16_t>(flags | flag);
+  };
+  add(a.is_alive, kAlive);
+  add(a.on_ground, kOnGround);
+  add(a.is_jump_released, kJumpReleased);
+  add(a.is_jumping_out_of_water, kJumpingOutOfWater);
+  add(a.is_turned_by_game, kTurnedByGame);
+  add(a.is_in_slime, kSlime);
+  add(a.is_in_lava, kLava);
+  add(a.punch_deg != math::Vec3(0.0f), kPunched);
+  add(a.settled_in_s != 0, kSettling);
+  add(a.own_gravity != 1, kOwnGravity);
+  add(a.ride.has_value(), kRide);
+  return flags;
+}
+
+// The same fields in the same order, both ways.
+template <typename Wire, typename Acknowledgement>
+void exchange(Wire& io_wire, Acknowledgement& a, std::uint16_t flags) {
+  io_wire(a.number);
+  io_wire(a.move_type);
+  io_wire(a.water_level);
+  io_wire(a.ground);
+  io_wire(a.origin);
+  io_wire(a.velocity);
+  io_wire(a.angles_deg);
+  if (flags & kPunched) io_wire(a.punch_deg);
+  if (flags & kJumpingOutOfWater) {
+    io_wire(a.water_jump_velocity.x);
+    io_wire(a.water_jump_velocity.y);
+  }
+  if (flags & kSettling) io_wire(a.settled_in_s);
+  if (flags & kOwnGravity) io_wire(a.own_gravity);
+  if (flags & kRide) {
+    io_wire(a.ride->origin);
+    io_wire(a.ride->velocity);
+    io_wire(a.ride->left_s);
+  }
+}
+
+struct WireWriter {
+  std::array<std::byte, 128> bytes;  // more than all fields
+  std::size_t size = 0;
+  template <typename T>
+  void operator()(const T& value) {
+    std::memcpy(&bytes[size], &value, sizeof(T));
+    size += sizeof(T);
+  }
+  void operator()(const math::Vec3& value) {
+    for (int axis = 0; axis < 3; ++axis) (*this)(value[axis]);
+  }
+};
+
+struct WireReader {
+  base::ByteReader bytes;
+  bool is_finite = true;
+  template <typename T>
+  void operator()(T& out_value) {
+    out_value = bytes.read<T>();
+  }
+  void operator()(float& out_value) {
+    out_value = bytes.f32();
+    is_finite = is_finite && std::isfinite(out_value);
+  }
+  void operator()(math::Vec3& out_value) {
+    for (int axis = 0; axis < 3; ++axis) (*this)(out_value[axis]);
+  }
+};
+
+void append_letters(base::Bytes bytes, std::string& io_text) {
+  std::uint32_t bits = 0;
+  int count = 0;
+  const auto letter = [&] { io_text += kLetters[bits >> (count - 6) & 63]; };
+  for (const std::uint8_t byte : base::as_u8(bytes)) {
+    bits = bits << 8 | byte;
+    for (count += 8; count >= 6; count -= 6) letter();
+  }
+  if (count == 0) return;
+  bits <<= 6 - count;
+  count = 6;
+  letter();
+}
+
+// Nothing where another letter is among them.
+std::optional<base::ByteVector> bytes_of_letters(std::string_view text) {
+  base::ByteVector bytes;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    const std::size_t value = kLetters.find(c);
+    if (value == std::string_view::npos) return std::nullopt;
+    bits = bits << 6 | static_cast<std::uint32_t>(value);
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes.push_back(static_cast<std::byte>(bits >> count & 255));
+  }
+  return bytes;
+}
+
+std::string_view without_end(std::string_view line) {
+  while (line.ends_with('\n')) line.remove_suffix(1);
+  return line;
+}
+
+// Numbers with a space between; nothing where that is not what it is.
+template <std::size_t kCount>
+std::optional<std::array<double, kCount>> numbers_of(std::string_view text) {
+  std::array<double, kCount> numbers{};
+  for (double& number : numbers) {
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (failure != std::errc() || !std::isfinite(number)) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  }
+  return text.empty() ? std::optional(numbers) : std::nullopt;
+}
+
+bool is_tick(double tick_s) {
+  return tick_s >= kShortestTick_s && tick_s <= kLongestTick_s;
+}
+
+}  // namespace
+
+std::string line_of(const MoveTerms& t) {
+  return fmt::format("{}{} {} {} {} {} {} {} {} {} {} {}\n", kTermsBegin, t.entity, t.tick_s, t.world_tick_s,
+                     t.gravity, t.max_velocity, t.friction, t.edge_friction, t.stop_speed, t.accelerate,
+                     t.max_speed, t.no_step ? 1 : 0);
+}
+
+std::optional<MoveTerms> read_move_terms(std::string_view line) {
+  if (!line.starts_with(kTermsBegin)) return std::nullopt;
+  const auto numbers = numbers_of<11>(without_end(line.substr(kTermsBegin.size())));
+  if (!numbers) return std::nullopt;
+  const auto& n = *numbers;
+  if (!(n[0] >= 1 && n[0] <= 65535) || !is_tick(n[1]) || !is_tick(n[2])) return std::nullopt;
+  const auto number = [&](std::size_t i) { return static_cast<float>(n[i]); };
+  return MoveTerms{.entity = static_cast<std::uint16_t>(n[0]),
+                   .tick_s = n[1],
+                   .world_tick_s = n[2],
+                   .gravity = number(3),
+                   .max_velocity = number(4),
+                   .friction = number(5),
+                   .edge_friction = number(6),
+                   .stop_speed = number(7),
+                   .accelerate = number(8),
+                   .max_speed = number(9),
+                   .no_step = n[10] != 0};
+}
+
+void write_line(const MoveAcknowledgement& acknowledgement, std::string& out_line) {
+  const std::uint16_t flags = flags_of(acknowledgement);
+  WireWriter writer;
+  writer(flags);
+  exchange(writer, acknowledgement, flags);
+  out_line = kAcknowledgementBegin;
+  append_letters(base::Bytes(writer.bytes).first(writer.size), out_line);
+  out_line += '\n';
+}
+
+std::optional<MoveAcknowledgement> read_acknowledgement(std::string_view line) {
+  if (!line.starts_with(kAcknowledgementBegin)) return std::nullopt;
+  const auto bytes = bytes_of_letters(without_end(line.substr(kAcknowledgementBegin.size())));
+  if (!bytes) return std::nullopt;
+  WireReader reader{base::ByteReader(*bytes)};
+  const std::uint16_t flags = reader.bytes.u16();
+  MoveAcknowledgement a;
+  a.is_alive = (flags & kAlive) != 0;
+  a.on_ground = (flags & kOnGround) != 0;
+  a.is_jump_released = (flags & kJumpReleased) != 0;
+  a.is_jumping_out_of_water = (flags & kJumpingOutOfWater) != 0;
+  a.is_turned_by_game = (flags & kTurnedByGame) != 0;
+  a.is_in_slime = (flags & kSlime) != 0;
+  a.is_in_lava = (flags & kLava) != 0;
+  if (flags & kRide) a.ride.emplace();
+  exchange(reader, a, flags);
+  return reader.bytes.ok() && reader.is_finite ? std::optional(a) : std::nullopt;
+}
+
+std::string move_number_command(std::uint32_t last_number) {
+  return fmt::format("{}{}", kNumberBegin, last_number);
+}
+
+std::optional<std::uint32_t> read_move_number(std::string_view command) {
+  if (!command.starts_with(kNumberBegin)) return std::nullopt;
+  command.remove_prefix(kNumberBegin.size());
+  std::uint32_t number = 0;
+  const auto [end, failure] = std::from_chars(command.data(), command.data() + command.size(), number);
+  if (failure != std::errc() || end != command.data() + command.size()) return std::nullopt;
+  return number;
+}
+
+}  // namespace temblor::net

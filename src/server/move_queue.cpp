@@ -1,0 +1,90 @@
+#include "server/move_queue.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace temblor::server {
+namespace {
+
+constexpr std::uint32_t kMostReplaced = 8;
+constexpr double kCreditEachTick = 1.01, kMostCredit = 20;
+// More than this wait only after the network stood still.
+constexpr std::size_t kManyWaiting = 12;
+constexpr std::size_t kMostEachTick = 4;
+constexpr int kTicksToCount = 36;
+
+}  // namespace
+
+void MoveQueue::add(std::uint32_t last_number, std::span<const PlayerInput> moves) {
+  const auto count = static_cast<std::uint32_t>(moves.size());
+  if (count == 0 || last_number < count) return;
+  const std::uint32_t first_number = last_number - (count - 1);
+  if (!has_begun_) {
+    has_begun_ = true;
+    next_number_ = first_number;
+    played_ = first_number - 1;
+  } else if (first_number > next_number_) {
+    const std::uint32_t lost = std::min(first_number - next_number_, kMostReplaced);
+    PlayerInput replacement = last_;
+    replacement.impulse = 0;
+    for (std::uint32_t number = first_number - lost; number < first_number; ++number)
+      push(number, replacement);
+  }
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (first_number + i >= next_number_) push(first_number + i, moves[i]);
+}
+
+void MoveQueue::push(std::uint32_t number, const PlayerInput& input) {
+  waiting_.push_back({number, input});
+  last_ = input;
+  next_number_ = number + 1;
+  if (waiting_.size() <= kMostWaiting) return;
+  const PlayerInput oldest = waiting_.front().input;
+  waiting_.pop_front();
+  PlayerInput& heir = waiting_.front().input;
+  heir.buttons |= oldest.buttons;
+  if (heir.impulse == 0) heir.impulse = oldest.impulse;
+}
+
+void MoveQueue::play_next() {
+  turn_.push_back(waiting_.front().input);
+  played_ = waiting_.front().number;
+  waiting_.pop_front();
+  credit_ -= 1;
+}
+
+// Moves that have been waiting for nothing, found out from time to time.
+std::size_t MoveQueue::left_over() {
+  fewest_left_ = std::min(fewest_left_, waiting_.size());
+  if (++ticks_counted_ < kTicksToCount) return 0;
+  ticks_counted_ = 0;
+  return std::exchange(fewest_left_, kMostWaiting);
+}
+
+std::span<const PlayerInput> MoveQueue::take() {
+  turn_.clear();
+  credit_ = std::min(credit_ + kCreditEachTick, kMostCredit);
+  if (waiting_.empty()) {
+    left_over();
+    if (++held_ticks_ <= kMostHeldTicks) return {};
+    credit_ -= 1;
+    last_.impulse = 0;
+    turn_.push_back(last_);
+    return turn_;
+  }
+  held_ticks_ = 0;
+  play_next();
+  const auto can_play_more = [&] {
+    return !waiting_.empty() && credit_ >= 1 && turn_.size() < kMostEachTick;
+  };
+  while (waiting_.size() > kManyWaiting && can_play_more()) play_next();
+  for (std::size_t more = left_over(); more > 0 && can_play_more(); --more) play_next();
+  return turn_;
+}
+
+void MoveQueue::skip() {
+  if (!waiting_.empty()) played_ = waiting_.back().number;
+  waiting_.clear();
+}
+
+}  // namespace temblor::server
