@@ -16,13 +16,14 @@ test:
 bench:
 	tools/setup.sh build
 	cmake --preset release
-	cmake --build --preset release --target temblor kernel_bench compile_bench vm_bench server_bench served_bench game
+	cmake --build --preset release --target temblor kernel_bench compile_bench vm_bench server_bench served_bench host_bench game
 	build/release/temblor $(WITH_DATA) bench --report $(BENCHED)
 	$(if $(TEMBLOR_DATA),build/release/bench/compile_bench build/release/temblor)
 	build/release/bench/kernel_bench
 	build/release/bench/vm_bench
 	build/release/bench/server_bench
 	$(if $(TEMBLOR_DATA),build/release/bench/served_bench build/release/game/quakec/progs.dat)
+	$(if $(TEMBLOR_DATA),build/release/bench/host_bench build/release/game/quakec/progs.dat)
 
 format:
 	$(SOURCES) | xargs clang-format-14 -i

@@ -4,6 +4,7 @@
 
 #include <CLI/App.hpp>
 #include <cstdio>
+#include <cstdlib>
 
 #include "app/command_line.h"
 #include "app/game_files.h"
@@ -51,6 +52,14 @@ host::Services services_for(platform::Window& window, bool silent) {
           .print_line = print_line,
           .seed = any_seed(),
           .secret = any_secret()};
+}
+
+// Where saved games go that may not lie beside the game's data.
+std::filesystem::path user_folder() {
+  const char* const data = std::getenv("XDG_DATA_HOME");
+  if (data != nullptr && *data != 0) return std::filesystem::path(data) / "temblor";
+  const char* const home = std::getenv("HOME");
+  return home != nullptr ? std::filesystem::path(home) / ".local/share/temblor" : std::filesystem::path();
 }
 
 // What the command line asks for, as the console has it.
@@ -109,9 +118,17 @@ base::Status run_play(const PlayOptions& options, const CommonOptions& common,
   TRY_STATUS(apply_command_line(options, common, variables.variables()));
   TRY(const std::filesystem::path base_folder, find_base_folder(common.folders));
   TRY(PlayWatch watch, PlayWatch::begin(options.watch, base_folder, common));
-  TRY(std::unique_ptr<platform::Window> window, platform::sdl2::open_window("Temblor", variables.window()));
+  base::Result<std::unique_ptr<platform::Window>> opened =
+      platform::sdl2::open_window("Temblor", variables.window());
+  if (!opened.ok())
+    return base::error(
+        base::ErrorCode::kIo,
+        "there is no display to open a window on ({}); `temblor render` makes pictures and films "
+        "without one",
+        opened.error().message());
+  const std::unique_ptr<platform::Window> window = std::move(*opened);
   host::HostOptions host_options{
-      .folders = {base_folder, common.folders.games},
+      .folders = {base_folder, common.folders.games, user_folder()},
       .program_file = options.program.empty() ? watch.program() : options.program,
       .commands = first_commands(options, watch.level()),
       .version = "Temblor " TEMBLOR_VERSION,

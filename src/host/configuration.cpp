@@ -20,14 +20,14 @@ bool is_text(std::string_view text) {
 
 }  // namespace
 
-base::Result<std::string> read_commands(const vfs::FileSystem& files, std::string_view name) {
+base::Result<std::string> read_commands(const GameData& data, std::string_view name) {
   const std::optional<std::string> normalized = vfs::normalized_name(name);
   if (!normalized)
     return base::error(base::ErrorCode::kUsage, "\"{}\" is no name of a file in the game folders", name);
   // What was written since the folders were read is not in their tables.
   base::Result<base::ByteVector> bytes =
-      vfs::read_disk_file(files.folders().back() / *normalized, kMaxCommandFileBytes);
-  if (!bytes.ok()) bytes = files.read(name);
+      vfs::read_disk_file(data.write_folder / *normalized, kMaxCommandFileBytes);
+  if (!bytes.ok()) bytes = data.library.files().read(name);
   if (!bytes.ok()) return bytes.error();
   std::string text(base::as_text(*bytes));
   if (text.size() > kMaxCommandFileBytes || !is_text(text))
@@ -35,18 +35,18 @@ base::Result<std::string> read_commands(const vfs::FileSystem& files, std::strin
   return text;
 }
 
-std::optional<std::string> configuration_to_run(const vfs::FileSystem& files) {
+std::optional<std::string> configuration_to_run(const GameData& data) {
   std::error_code ignored;
   for (const std::string_view name : {kConfigurationFile, kStockConfiguration})
-    if (std::filesystem::exists(files.folders().back() / name, ignored) || files.contains(name))
+    if (std::filesystem::exists(data.write_folder / name, ignored) || data.library.files().contains(name))
       return std::string(name);
   return std::nullopt;
 }
 
-base::Status keep_damaged(const vfs::FileSystem& files, std::string_view name) {
-  const base::Result<std::string> text = read_commands(files, name);
+base::Status keep_damaged(const GameData& data, std::string_view name) {
+  const base::Result<std::string> text = read_commands(data, name);
   if (text.ok() || text.error().code == base::ErrorCode::kNotFound) return base::Ok{};
-  const std::filesystem::path file = files.folders().back() / name;
+  const std::filesystem::path file = data.write_folder / name;
   std::filesystem::path aside = file;
   aside += ".damaged";
   std::error_code failure;

@@ -15,6 +15,7 @@ namespace temblor::host {
 struct GameFolders {
   std::filesystem::path base_folder;
   std::vector<std::string> games;  // besides id1
+  std::filesystem::path user_folder{};
   bool operator==(const GameFolders&) const = default;
 };
 
@@ -22,14 +23,14 @@ struct GameData {
   // Fails where the folders cannot be read or hold no palette.
   static base::Result<std::unique_ptr<GameData>> open(const GameFolders& folders);
 
-  GameData(vfs::FileSystem files, assets::Look look);
+  GameData(vfs::FileSystem files, assets::Look look, std::filesystem::path write_folder);
   GameData(const GameData&) = delete;
   GameData& operator=(const GameData&) = delete;
 
-  // Where what is written goes.
-  const std::filesystem::path& write_folder() const { return library.files().folders().back(); }
-
   assets::Library library;
+  // Where settings, saved games, recordings and pictures go: the last game folder, or where nobody may write
+  // there, a folder of its name in GameFolders::user_folder.
+  std::filesystem::path write_folder;
   assets::Look look;
   client::Presentation presentation;
   render::Renderer renderer;

@@ -20,7 +20,7 @@ base::Result<base::ByteVector> read_demo(const GameData& data, const std::string
   const std::optional<std::string> name = vfs::normalized_name(file);
   if (!name)
     return base::error(base::ErrorCode::kUsage, "\"{}\" is no name of a file in the game folders", file);
-  base::Result<base::ByteVector> bytes = vfs::read_disk_file(data.write_folder() / *name);
+  base::Result<base::ByteVector> bytes = vfs::read_disk_file(data.write_folder / *name);
   if (bytes.ok()) return bytes;
   return data.library.files().read(*name);
 }
@@ -122,8 +122,8 @@ base::Status Host::stop_recording_if_any() {
     return session_->server() != nullptr ? session_->server()->stop_recording() : base::Status(base::Ok{});
   const std::optional<base::ByteVector> recording = session_->connection()->finish_recording();
   if (!recording) return base::error(base::ErrorCode::kUsage, "{}: no level has begun since `record`", name);
-  TRY_STATUS(services_.write_file(data_->write_folder() / name, *recording));
-  print(fmt::format("recorded to {}", (data_->write_folder() / name).string()));
+  TRY_STATUS(services_.write_file(data_->write_folder / name, *recording));
+  print(fmt::format("recorded to {}", (data_->write_folder / name).string()));
   return base::Ok{};
 }
 

@@ -15,13 +15,14 @@ constexpr int kMostScreenshots = 10000;
 
 // What depends on the game folders is made anew.
 void Host::take_up_data() {
-  session_ = std::make_unique<Session>(services_, data_->library, variables_.server(), options_.program_file);
+  session_ = std::make_unique<Session>(services_, data_->library, data_->write_folder, variables_.server(),
+                                       options_.program_file);
   menu_lists_ = std::make_unique<MenuLists>(*this, *data_);
   menu_.emplace(variables_.variables(), data_->presentation.pictures(), menu_lists_->content());
 }
 
 base::Status Host::configure() {
-  console_.set_loader([this](std::string_view name) { return read_commands(data_->library.files(), name); });
+  console_.set_loader([this](std::string_view name) { return read_commands(*data_, name); });
   const auto run = [this](std::string_view file) {
     console_.append(command::join_words({"exec", std::string(file)}));
     console_.run();
@@ -29,10 +30,10 @@ base::Status Host::configure() {
   // A game's own defaults first, for what it binds besides; the keys that hands know win over the original's.
   if (data_->library.files().contains("default.cfg")) run("default.cfg");
   bindings_.add_defaults();
-  if (const std::optional<std::string> file = configuration_to_run(data_->library.files())) run(*file);
+  if (const std::optional<std::string> file = configuration_to_run(*data_)) run(*file);
   if (data_->library.files().contains("autoexec.cfg")) run("autoexec.cfg");
   if (options_.apply_overrides) TRY_STATUS(options_.apply_overrides());
-  console_ui_.load_history(read_history(data_->write_folder()));
+  console_ui_.load_history(read_history(data_->write_folder));
   window_settings_ = variables_.window();
   TRY_STATUS(services_.window.apply(window_settings_));
   for (const std::string& line : options_.commands) console_.append(line);
@@ -141,7 +142,8 @@ void Host::disconnect() {
 
 base::Status Host::change_games(std::vector<std::string> games) {
   TRY_STATUS(save_configuration());
-  GameFolders folders{options_.folders.base_folder, std::move(games)};
+  GameFolders folders = options_.folders;
+  folders.games = std::move(games);
   TRY(std::unique_ptr<GameData> data, GameData::open(folders));
   disconnect();
   menu_.reset();
@@ -155,18 +157,18 @@ base::Status Host::change_games(std::vector<std::string> games) {
 }
 
 base::Status Host::save_configuration() {
-  TRY_STATUS(keep_damaged(data_->library.files(), kConfigurationFile));
+  TRY_STATUS(keep_damaged(*data_, kConfigurationFile));
   const std::string text = configuration_text(bindings_, variables_);
-  TRY_STATUS(services_.write_file(data_->write_folder() / kConfigurationFile, base::as_bytes(text)));
+  TRY_STATUS(services_.write_file(data_->write_folder / kConfigurationFile, base::as_bytes(text)));
   const std::string history = console_ui_.history_text();
   if (history.empty()) return base::Ok{};
-  return services_.write_file(data_->write_folder() / kHistoryFile, base::as_bytes(history));
+  return services_.write_file(data_->write_folder / kHistoryFile, base::as_bytes(history));
 }
 
 base::Status Host::dump_console(std::string_view file) {
   const std::optional<std::string> name = vfs::normalized_name(file);
   if (!name) return base::error(base::ErrorCode::kUsage, "\"{}\" is no name for a file", file);
-  const std::filesystem::path path = data_->write_folder() / *name;
+  const std::filesystem::path path = data_->write_folder / *name;
   TRY_STATUS(services_.write_file(path, base::as_bytes(console_ui_.text())));
   print(fmt::format("wrote {}", path.string()));
   return base::Ok{};
@@ -176,11 +178,11 @@ base::Status Host::screenshot(std::string_view file) {
   std::filesystem::path path = file;
   std::error_code ignored;
   for (int number = 0; file.empty() && number < kMostScreenshots; ++number) {
-    path = data_->write_folder() / fmt::format("temblor{:04}.png", number);
+    path = data_->write_folder / fmt::format("temblor{:04}.png", number);
     if (!std::filesystem::exists(path, ignored)) break;
   }
   if (!path.has_extension()) path += ".png";
-  if (path.is_relative()) path = data_->write_folder() / path;
+  if (path.is_relative()) path = data_->write_folder / path;
   const std::span<const std::uint32_t> pixels = screen_.pixels();
   if (pixels.empty()) return base::error(base::ErrorCode::kUsage, "there is no picture yet");
   TRY(const base::ByteVector png,

@@ -45,7 +45,7 @@ std::string title_of(const vfs::FileSystem& files, const std::string& file) {
 std::vector<std::string> written_files(const GameData& data, std::string_view suffix) {
   std::vector<std::pair<std::filesystem::file_time_type, std::string>> found;
   std::error_code failure;
-  for (const auto& entry : std::filesystem::directory_iterator(data.write_folder(), failure)) {
+  for (const auto& entry : std::filesystem::directory_iterator(data.write_folder, failure)) {
     if (entry.path().extension() != suffix) continue;
     std::error_code ignored;
     found.emplace_back(entry.last_write_time(ignored), entry.path().stem().string());
@@ -71,7 +71,7 @@ std::vector<client::MenuLevel> MenuLists::levels() {
 std::vector<client::MenuSave> MenuLists::saves() const {
   std::vector<client::MenuSave> saves;
   for (const std::string& name : written_files(data_, ".sav")) {
-    const base::Result<base::ByteVector> bytes = vfs::read_disk_file(data_.write_folder() / (name + ".sav"));
+    const base::Result<base::ByteVector> bytes = vfs::read_disk_file(data_.write_folder / (name + ".sav"));
     if (!bytes.ok()) continue;
     const base::Result<formats::Sav> sav = formats::read_sav(base::as_text(*bytes));
     if (!sav.ok()) {

@@ -19,9 +19,13 @@ net::ServerEndpointSettings wire_settings(const Services& services) {
 
 }  // namespace
 
-Session::Session(Services& services, const assets::Library& library, const server::ServerVariables& settings,
-                 std::filesystem::path program_file)
-    : services_(services), library_(library), settings_(settings), program_file_(std::move(program_file)) {}
+Session::Session(Services& services, const assets::Library& library, std::filesystem::path write_folder,
+                 const server::ServerVariables& settings, std::filesystem::path program_file)
+    : services_(services),
+      library_(library),
+      write_folder_(std::move(write_folder)),
+      settings_(settings),
+      program_file_(std::move(program_file)) {}
 
 Session::~Session() {
   disconnect("The host has left.");
@@ -34,7 +38,7 @@ server::ServerSetup Session::setup_for(net::ServerEndpoint::Sockets sockets, std
           .wire = wire_settings(services_),
           .max_clients = max_clients,
           .program_file = program_file_,
-          .write_folder = library_.files().folders().back(),
+          .write_folder = write_folder_,
           .write_file = services_.write_file,
           .print = [this](std::string_view text) { server_output_ += text; },
           .seed = services_.seed};

@@ -15,9 +15,9 @@ namespace temblor::host {
 
 class Session {
  public:
-  // These must outlive it. `program_file` as ServerSetup's.
-  Session(Services& services, const assets::Library& library, const server::ServerVariables& settings,
-          std::filesystem::path program_file);
+  // The references must outlive it. The paths are ServerSetup's.
+  Session(Services& services, const assets::Library& library, std::filesystem::path write_folder,
+          const server::ServerVariables& settings, std::filesystem::path program_file);
   ~Session();
 
   // A server in this program for that many players, of which this one is the first; one that runs already for
@@ -57,6 +57,7 @@ class Session {
 
   Services& services_;
   const assets::Library& library_;
+  std::filesystem::path write_folder_;
   const server::ServerVariables& settings_;
   std::filesystem::path program_file_;
   std::optional<net::LoopbackNetwork> network_;

@@ -76,7 +76,7 @@ Thumbnails::~Thumbnails() {
 }
 
 std::filesystem::path Thumbnails::file_of_save(const std::string& name) const {
-  return data_.write_folder() / (name + ".png");
+  return data_.write_folder / (name + ".png");
 }
 
 const formats::Picture* Thumbnails::of_save(const std::string& name) {

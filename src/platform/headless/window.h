@@ -1,7 +1,9 @@
 // A window without a display: for tests, measurements and machines that have none. Events are put in by hand.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -15,6 +17,10 @@ class HeadlessWindow : public Window {
 
   // For the next poll().
   void put(decltype(InputEvent::what) what) { events_.push_back({now_s(), std::move(what)}); }
+  // For the first poll() at that time or later.
+  void put_at(decltype(InputEvent::what) what, double time_s) {
+    events_.push_back({time_s, std::move(what)});
+  }
   // From here on the clock stands at this time; without it, it is a real one.
   void set_now(double now_s) { set_now_s_ = now_s; }
   const std::vector<std::uint32_t>& shown() const { return shown_; }
@@ -30,7 +36,11 @@ class HeadlessWindow : public Window {
     return base::Ok{};
   }
   void poll(std::vector<InputEvent>& io_events) override {
-    for (InputEvent& event : std::exchange(events_, {})) io_events.push_back(std::move(event));
+    const double now = now_s();
+    const auto due = std::stable_partition(events_.begin(), events_.end(),
+                                           [&](const InputEvent& event) { return event.time_s <= now; });
+    std::move(events_.begin(), due, std::back_inserter(io_events));
+    events_.erase(events_.begin(), due);
   }
   double now_s() const override {
     if (set_now_s_) return *set_now_s_;

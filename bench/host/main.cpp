@@ -1,0 +1,96 @@
+// What a player waits for: the first frame, a level, the picture after a key. Drawn at 1920 x 1080 into
+// memory, as the window's shared memory is; made-up events come at any moment between two frames of a display
+// of 60 Hz.
+//
+// Usage: host_bench PROGS, with TEMBLOR_DATA naming the base folder.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "host/host.h"
+#include "platform/headless/window.h"
+#include "support/random.h"
+
+namespace temblor {
+namespace {
+
+constexpr double kDisplay_hz = 60;
+constexpr int kEvents = 200;
+
+[[noreturn]] void fail(const base::Error& error) {
+  fmt::print(stderr, "host_bench: {}\n", error.message());
+  std::exit(1);
+}
+
+void print_row(std::string_view what, std::string_view measured, std::string_view goal) {
+  fmt::print("| {} | {} | {} |\n", what, measured, goal);
+}
+
+void run_until_playing(host::Host& io_host) {
+  while (!io_host.session().is_playing() || !io_host.data().presentation.has_level()) io_host.frame();
+  io_host.frame();
+}
+
+void measure_latency(host::Host& io_host, platform::headless::HeadlessWindow& io_window,
+                     std::string_view name) {
+  test::Random random(1);
+  std::vector<double> latencies_s, drawings_s;
+  for (int i = 0; i < kEvents; ++i) {
+    // While this frame is on its way to the next one's beginning, somebody moves the mouse.
+    io_window.put_at(platform::MouseMoved{5, 0}, io_window.now_s() + random.uniform(0, 1 / kDisplay_hz));
+    io_host.frame();
+    if (io_host.times().latency_s > 0) latencies_s.push_back(io_host.times().latency_s);
+    drawings_s.push_back(io_host.times().drawing_s + io_host.times().present_s);
+  }
+  std::sort(latencies_s.begin(), latencies_s.end());
+  std::sort(drawings_s.begin(), drawings_s.end());
+  const auto ms = [](const std::vector<double>& sorted, double part) {
+    return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))] * 1000;
+  };
+  print_row(fmt::format("{}: input to presented frame, median and 99 of 100", name),
+            fmt::format("{:.1f}, {:.1f} ms", ms(latencies_s, 0.5), ms(latencies_s, 0.99)),
+            fmt::format("at most {:.1f} ms", 1000 / kDisplay_hz + 5));
+  print_row(fmt::format("{}: of that drawing and presenting, median", name),
+            fmt::format("{:.1f} ms", ms(drawings_s, 0.5)), "-");
+}
+
+int run(const char* data, const char* progs) {
+  platform::headless::HeadlessWindow window({.size = {1920, 1080}});
+  command::Variables variables;
+  const host::HostVariables settings(variables);
+  const double began_s = window.now_s();
+  auto started = host::Host::start(
+      {.window = window,
+       .write_file = [](const std::filesystem::path&, base::Bytes) { return base::Status(base::Ok{}); },
+       .print_line = [](std::string_view) {}},
+      settings, {.folders = {data, {}}, .program_file = progs, .commands = {"host_maxfps 60; viewsize 100"}});
+  if (!started.ok()) fail(started.error());
+  host::Host& host = **started;
+  host.frame();
+  fmt::print("| what | measured | goal |\n| --- | --- | --- |\n");
+  print_row("program start to first frame", fmt::format("{:.2f} s", window.now_s() - began_s), "under 1 s");
+  for (const char* const map : {"lq_e1m2", "lq_e0m1", "start"}) {
+    host.console().append(fmt::format("map {}", map));
+    const double typed_s = window.now_s();
+    run_until_playing(host);
+    print_row(fmt::format("`map {}` typed to playing", map),
+              fmt::format("{:.2f} s", window.now_s() - typed_s), "under 0.5 s");
+    measure_latency(host, window, map);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace temblor
+
+int main(int argument_count, char** arguments) {
+  const char* const data = std::getenv("TEMBLOR_DATA");
+  if (argument_count != 2 || data == nullptr) {
+    fmt::print(stderr, "usage: TEMBLOR_DATA=DIR host_bench PROGS\n");
+    return 2;
+  }
+  return temblor::run(data, arguments[1]);
+}

@@ -1,0 +1,133 @@
+// `temblor play` as a person has it: a window on a display (Xvfb), keys and mouse as the X server tells them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "app/program.h"
+#include "support/background_program.h"
+#include "support/game_data.h"
+#include "support/temporary_folder.h"
+
+namespace temblor::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+#define SKIP_WITHOUT_DISPLAY()                                             \
+  if (!is_installed("xvfb-run") || !is_installed("xdotool"))               \
+    GTEST_SKIP() << "a display (xvfb, xauth) or xdotool is not installed"; \
+  if (!std::filesystem::exists(TEMBLOR_GAME_PROGRAM))                      \
+  GTEST_SKIP() << "the game's QuakeC is not compiled: fteqcc is not installed"
+
+// A base folder whose last game folder may be written to.
+class Evening {
+ public:
+  explicit Evening(const std::filesystem::path& data) {
+    std::filesystem::create_directory_symlink(data / "id1", folder_.path() / "id1");
+    folder_.write("evening/autoexec.cfg", std::string_view("host_maxfps 30\n"));
+    std::filesystem::copy_file(TEMBLOR_GAME_PROGRAM, game() / "progs.dat");
+  }
+  std::filesystem::path game() const { return folder_.path() / "evening"; }
+
+  // In `script`, PLAY stands for the program. What it and the script print.
+  std::string run(std::string script) {
+    const std::string play = "'" TEMBLOR_PROGRAM "' --basedir '" + folder_.path().string() +
+                             "' --game evening play --nosound --duration 60";
+    script.replace(script.find("PLAY"), 4, play);
+    folder_.write("script.sh", script);
+    const std::string out = (folder_.path() / "out").string();
+    const std::string line = "cd '" + folder_.path().string() +
+                             "' && xvfb-run -a -s '-screen 0 1024x768x24' sh script.sh >'" + out + "' 2>&1";
+    status_ = std::system(line.c_str());
+    return read_text(out);
+  }
+  int exit_status() const { return WIFEXITED(status_) ? WEXITSTATUS(status_) : -1; }
+  Png picture(const std::string& name) const { return read_png(game() / (name + ".png")); }
+  std::string configuration() const { return read_text(game() / "temblor.cfg"); }
+
+ private:
+  TemporaryFolder folder_;
+  int status_ = -1;
+};
+
+TEST(PlayProgram, AnEveningOfPlaying) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_DISPLAY();
+  Evening evening(data);
+  // The menu, a new game, some steps and shots, a saved game, death, the saved game again, settings, the end.
+  const std::string out = evening.run(R"(
+type() { xdotool key grave; sleep 0.6; xdotool type --delay 20 "$1"; xdotool key Return; sleep 0.5; xdotool key grave; sleep 1; }
+PLAY --size 640x480 & game=$!
+xdotool search --sync --name Temblor >/dev/null; sleep 2
+xdotool key Return; sleep 0.5; xdotool key Return; sleep 3
+xdotool key F12; sleep 0.5
+xdotool keydown w; sleep 0.5; xdotool keyup w
+xdotool mousemove_relative 300 0; sleep 0.3
+xdotool mousedown 1; sleep 0.4; xdotool mouseup 1; sleep 0.3
+xdotool key F12; sleep 0.5
+xdotool key F6; sleep 1
+type "kill"; sleep 1
+xdotool key F12; sleep 0.5
+xdotool key F9; sleep 2
+xdotool key F12; sleep 0.5
+type 'bind x "screenshot bound"'
+type "vid_width 800; vid_height 600"
+xdotool key Escape; sleep 1
+type "quit"
+wait $game; echo "ended with $?"
+)");
+  EXPECT_THAT(out, HasSubstr("ended with 0"));
+  EXPECT_THAT(out, HasSubstr("saved to"));
+  EXPECT_THAT(out, Not(HasSubstr("unknown command")));
+  const Png began = evening.picture("temblor0000"), turned = evening.picture("temblor0001"),
+            dead = evening.picture("temblor0002"), loaded = evening.picture("temblor0003");
+  for (const Png* const picture : {&began, &turned, &dead, &loaded}) {
+    EXPECT_EQ(picture->width, 640u);
+    EXPECT_EQ(picture->height, 480u);
+    EXPECT_GT(count_colours(*picture), 300u);
+  }
+  EXPECT_NE(began, turned);
+  EXPECT_NE(dead, turned);
+  EXPECT_TRUE(std::filesystem::exists(evening.game() / "quick.sav"));
+  EXPECT_TRUE(std::filesystem::exists(evening.game() / "quick.png"));
+  EXPECT_THAT(evening.configuration(), HasSubstr("bind x \"screenshot bound\""));
+
+  // The next evening.
+  const std::string again = evening.run(R"(
+PLAY --map start & game=$!
+xdotool search --sync --name Temblor >/dev/null; sleep 4
+xdotool key x; sleep 1
+kill -TERM $game
+wait $game; echo "ended with $?"
+)");
+  EXPECT_THAT(again, HasSubstr("ended with 0"));
+  const Png bound = evening.picture("bound");
+  EXPECT_EQ(bound.width, 800u);
+  EXPECT_EQ(bound.height, 600u);
+}
+
+TEST(PlayProgram, WithoutADisplayItSaysSo) {
+  DATA_FOLDER_OR_SKIP(data);
+  const TemporaryFolder folder;
+  unsetenv("DISPLAY");
+  unsetenv("WAYLAND_DISPLAY");
+  const ProgramRun run = run_program(folder.path(), {"--basedir", data.string(), "play", "--duration", "1"});
+  EXPECT_EQ(run.exit_status, 1);
+  EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("display"));
+}
+
+TEST(PlayProgram, WithoutDataItSaysWhatToDo) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_program(folder.path(), {"play", "--duration", "1"});
+  EXPECT_EQ(run.exit_status, 1);
+  EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("--basedir"));
+}
+
+}  // namespace
+}  // namespace temblor::test
