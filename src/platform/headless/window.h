@@ -1,11 +1,10 @@
 // A window without a display: for tests, measurements and machines that have none. Events are put in by hand.
 #pragma once
 
-#include <algorithm>
 #include <chrono>
-#include <iterator>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "platform/window.h"
 
@@ -15,12 +14,10 @@ class HeadlessWindow : public Window {
  public:
   explicit HeadlessWindow(const WindowSettings& settings) : settings_(settings) {}
 
-  // For the next poll().
-  void put(decltype(InputEvent::what) what) { events_.push_back({now_s(), std::move(what)}); }
-  // For the first poll() at that time or later.
-  void put_at(decltype(InputEvent::what) what, double time_s) {
-    events_.push_back({time_s, std::move(what)});
-  }
+  using What = decltype(InputEvent::what);
+  // For the next poll(); and for the first one at that time or later.
+  void put(const What& what) { put_at(what, now_s()); }
+  void put_at(const What& what, double time_s);
   // From here on the clock stands at this time; without it, it is a real one.
   void set_now(double now_s) { set_now_s_ = now_s; }
   const std::vector<std::uint32_t>& shown() const { return shown_; }
@@ -35,13 +32,7 @@ class HeadlessWindow : public Window {
     settings_ = settings;
     return base::Ok{};
   }
-  void poll(std::vector<InputEvent>& io_events) override {
-    const double now = now_s();
-    const auto due = std::stable_partition(events_.begin(), events_.end(),
-                                           [&](const InputEvent& event) { return event.time_s <= now; });
-    std::move(events_.begin(), due, std::back_inserter(io_events));
-    events_.erase(events_.begin(), due);
-  }
+  void poll(std::vector<InputEvent>& io_events) override;
   double now_s() const override {
     if (set_now_s_) return *set_now_s_;
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

@@ -3,6 +3,8 @@
 #include <SDL.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <string_view>
 
 #include "platform/sdl2/gamepads.h"
 #include "platform/sdl2/keys.h"
@@ -205,6 +207,11 @@ base::Result<std::unique_ptr<Window>> open_window(const std::string& title, cons
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
   SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0");
   TRY(Subsystem subsystem, Subsystem::start(SDL_INIT_VIDEO | SDL_INIT_GAMECONTROLLER));
+  // What SDL falls back to where there is nothing to see.
+  const std::string_view driver = SDL_GetCurrentVideoDriver();
+  const bool is_wanted = std::getenv("SDL_VIDEODRIVER") != nullptr;
+  if (!is_wanted && (driver == "offscreen" || driver == "dummy" || driver == "evdev"))
+    return base::error(base::ErrorCode::kNotFound, "neither X11 nor Wayland");
   const int place = static_cast<int>(
       SDL_WINDOWPOS_CENTERED_DISPLAY(static_cast<unsigned>(known_display(settings.display))));
   WindowHandle window(SDL_CreateWindow(title.c_str(), place, place, settings.size.width, settings.size.height,
