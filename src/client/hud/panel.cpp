@@ -58,8 +58,7 @@ void Panel::picture_in_middle(std::string_view name, int y) const {
     picture(name, (kScreenWidth - static_cast<int>(found->width)) / 2, y);
 }
 
-void Panel::fill(int x, int y, int width, int height, std::uint8_t index,
-                 float opacity) const {
+void Panel::fill(int x, int y, int width, int height, std::uint8_t index, float opacity) const {
   list_->commands.push_back(
       {.area = {left_px_ + x * scale_, top_px_ + y * scale_, width * scale_, height * scale_},
        .fill = index,
