@@ -34,7 +34,8 @@ sf_count_t get_size(void* data) {
 sf_count_t seek(sf_count_t offset, int from, void* data) {
   MemoryFile& file = file_of(data);
   const sf_count_t base = from == SEEK_SET ? 0 : from == SEEK_CUR ? file.at : file.size();
-  file.at = std::clamp<sf_count_t>(base + offset, 0, file.size());
+  // A damaged file may ask for any place, near the ends of the numbers too.
+  file.at = base + std::clamp<sf_count_t>(offset, -base, file.size() - base);
   return file.at;
 }
 

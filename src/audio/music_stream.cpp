@@ -30,6 +30,7 @@ void MusicStream::play(std::optional<MusicDecoder> music) {
     const std::lock_guard lock(mutex_);
     std::swap(next_, music);
     has_next_ = true;
+    has_failed_ = false;  // the music before may have
   }
   wake_.notify_one();
 }

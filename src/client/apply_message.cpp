@@ -8,6 +8,9 @@ namespace temblor::client {
 
 namespace {
 
+// As long as any console's line; and more than levels have.
+constexpr std::size_t kMaxCommandChars = 8192, kMaxStatics = 8192;
+
 base::Status too_early(const char* what) {
   return base::malformed("{} before a serverinfo: there is no level yet", what);
 }
@@ -142,7 +145,8 @@ struct ClientState::Apply {
   base::Status operator()(const net::StuffText& stuffed) {
     for (const char c : stuffed.text) {
       if (c != '\n') {
-        state.command_line_ += c;
+        // A line that is longer than any console takes is cut.
+        if (state.command_line_.size() < kMaxCommandChars) state.command_line_ += c;
         continue;
       }
       if (state.command_line_ == "bf")
@@ -239,6 +243,8 @@ struct ClientState::Apply {
   }
   base::Status operator()(const net::SpawnStatic& spawned) {
     if (!has_level()) return too_early("a static entity");
+    if (state.entities_.static_count() >= kMaxStatics)
+      return base::error(base::ErrorCode::kTooLarge, "more than {} static entities", kMaxStatics);
     state.entities_.add_static(spawned.entity);
     return base::Ok{};
   }
@@ -292,7 +298,7 @@ struct ClientState::Apply {
     return base::Ok{};
   }
   base::Status operator()(const net::SpawnStaticSound& sound) {
-    events.static_sounds.push_back(sound);
+    if (events.static_sounds.size() < kMaxStatics) events.static_sounds.push_back(sound);
     return base::Ok{};
   }
 };

@@ -80,6 +80,12 @@ void AudioScene::resume(std::span<const net::SpawnStaticSound> static_sounds) {
   for (const net::SpawnStaticSound& what : static_sounds) hear(what);
 }
 
+void AudioScene::end_level() {
+  resume({});
+  scene_.ambient_levels = {};
+  scene_.listener.underwater = false;
+}
+
 void AudioScene::hear(const net::TempEntity& what) {
   if (const char* name = sound_of(what.kind, ++hit_count_); name != nullptr)
     events_.started.push_back({.sound = sounds_.sound(std::string(name)), .origin_world = what.origin});

@@ -25,6 +25,8 @@ class AudioScene {
   // Another moment of the same level (a recording sought in): what sounded ends, and what has happened since
   // is not heard. The level's static sounds by then are these.
   void resume(std::span<const net::SpawnStaticSound> static_sounds);
+  // The game is over: nothing of its places is heard any more.
+  void end_level();
   // Hears what has happened, from where the eye is now.
   void advance(const Game& game, const Events& events, const world::Level& level, const PlayerView& view,
                const audio::Volumes& volumes);

@@ -62,7 +62,7 @@ constexpr std::pair<std::string_view, std::string_view> kDefaults[] = {
     {"F5", "menu_multiplayer"},
     {"F6", "save quick"},
     {"F9", "load quick"},
-    {"F10", "quit"},
+    {"F10", "menu_quit"},
     {"F12", "screenshot"},
     {"-", "sizedown"},
     {"=", "sizeup"},

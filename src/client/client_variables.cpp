@@ -73,6 +73,8 @@ ClientVariables::ClientVariables(command::Variables& variables) {
   fog_ = variables.add_bool("r_fog", defaults.fog, "Draws the fog that a level or server asks for.");
   skybox_ =
       variables.add_bool("r_skybox", defaults.skybox, "Draws the skybox that a level or server asks for.");
+  subtitles_ = variables.add_bool("scr_subtitles", defaults.subtitles,
+                                  "Names sounds that come from where the player does not look.");
   sound_volume_ = variables.add_float("volume", 0.7, 0, 1, "How loud sounds are.");
   ambient_level_ =
       variables.add_float("ambient_level", 0.3, 0, 1, "How loud water and wind are, of what the level says.");
@@ -107,6 +109,7 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
                            factor(teleport_alpha_)};
   settings.fog = variables.bool_value(fog_);
   settings.skybox = variables.bool_value(skybox_);
+  settings.subtitles = variables.bool_value(subtitles_);
   settings.volumes = {factor(sound_volume_), factor(ambient_level_), factor(music_volume_),
                       factor(muffled_underwater_)};
   return settings;

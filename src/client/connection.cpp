@@ -73,7 +73,7 @@ base::Status Connection::read(base::Bytes packet) {
     }
     if (const auto* turn = std::get_if<net::SetAngle>(&*message)) view_angles_deg_ = turn->angles_deg;
     const auto* stuffed = std::get_if<net::StuffText>(&*message);
-    if (stuffed && take_comment(stuffed->text)) continue;
+    if (stuffed) take_comment(stuffed->text);
     has_time |= std::holds_alternative<net::Time>(*message);
     TRY_STATUS(state_.apply(*message));
     if (std::holds_alternative<net::SignonNumber>(*message)) answer_signon();
@@ -111,15 +111,14 @@ void Connection::answer_signon() {
 }
 
 // What servers of ours say to clients of ours.
-bool Connection::take_comment(std::string_view text) {
-  if (!text.starts_with("//")) return false;
+// The line itself is text of the server like any other: the state passes over comments.
+void Connection::take_comment(std::string_view text) {
   if (const auto terms = net::read_move_terms(text)) {
     move_terms_ = terms;
   } else if (const auto told = net::read_acknowledgement(text)) {
     acknowledged_ = told;
     ++acknowledgements_;
   }
-  return true;
 }
 
 void Connection::run_stuffed_commands() {

@@ -80,7 +80,7 @@ class Connection {
   base::Status read(base::Bytes packet);
   void record(base::Bytes packet, bool begins_level);
   void answer_signon();
-  bool take_comment(std::string_view text);
+  void take_comment(std::string_view text);
   void run_stuffed_commands();
   void send_waiting();
 

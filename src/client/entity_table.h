@@ -25,6 +25,7 @@ class EntityTable {
   void begin_level();
   void set_baseline(std::uint16_t number, const net::Baseline& baseline);
   void add_static(const net::Baseline& entity);
+  std::size_t static_count() const { return statics_.size(); }
 
   // From here on updates belong to a new packet.
   void begin_packet() { ++packet_, arriving_.clear(); }

@@ -82,7 +82,8 @@ Prediction::Shown Prediction::shown(const PredictedPlayer& whole, const Predicti
 void Prediction::correct(const math::Vec3& before, const math::Vec3& now) {
   const math::Vec3 difference = before - now;
   const float distance = glm::length(difference);
-  if (is_teleport(before, now)) {
+  // What is no number is no small mistake either.
+  if (!std::isfinite(distance) || is_teleport(before, now)) {
     report_.unpredicted_units = std::max(report_.unpredicted_units, distance);
     error_ = math::Vec3(0.0f);
     return;

@@ -29,6 +29,7 @@ base::Status Presentation::begin_level(const Game& game, const PresentationSetti
 void Presentation::forget_past() {
   scene_ = {};
   hud_.begin_level();
+  subtitles_.begin_level();
   effects_.begin_level();
   view_.begin_level();
 }
@@ -79,6 +80,7 @@ Presentation::Sight Presentation::look(ClientState& io_state, double time_s,
   PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
   if (settings.camera) view = view_from(*settings.camera, level, settings.view);
   hud_.advance(game, io_state.events(), time_s);
+  if (settings.subtitles) subtitles_.advance(game, io_state.events(), view.camera, time_s);
   if (has_sound_) audio_scene_.advance(game, io_state.events(), level, view, settings.volumes);
   time_s_ = time_s;
   io_state.events().clear();
@@ -126,6 +128,7 @@ const render::DrawList& Presentation::draw_list(const ClientState& state, int wi
                                                 const PresentationSettings& settings) {
   draw_list_.clear();
   hud_.draw(state.game(), time_s_, width, height, settings.hud, draw_list_);
+  if (settings.subtitles) subtitles_.draw(pictures_, width, height, settings.hud.scale, draw_list_);
   return draw_list_;
 }
 

@@ -18,6 +18,7 @@
 #include "client/model_table.h"
 #include "client/prediction.h"
 #include "client/scene_builder.h"
+#include "client/subtitles.h"
 #include "client/view.h"
 #include "render/draw_list.h"
 #include "render/scene.h"
@@ -39,6 +40,7 @@ struct PresentationSettings {
   bool fog = true, skybox = true;
   bool sound = false;  // loads sounds and fills audio_scene(); followed from the next level on
   audio::Volumes volumes;
+  bool subtitles = false;  // of sounds that come from where the player does not look
   // Where to look from instead of the player's eyes.
   std::optional<render::Camera> camera;
 };
@@ -105,6 +107,7 @@ class Presentation {
   View view_;
   Prediction* prediction_ = nullptr;
   Hud hud_;
+  Subtitles subtitles_;
   SceneBuilder scene_builder_;
   AudioScene audio_scene_;
   bool has_sound_ = false;  // of this level

@@ -8,7 +8,8 @@
 namespace temblor::client {
 namespace {
 
-constexpr double kTryAgain_s = 2;
+constexpr double kTryAgain_s = 2, kTrySeldom_s = 60;
+constexpr int kManyTries = 10;
 constexpr double kLongestStep_s = 0.1;
 
 }  // namespace
@@ -27,7 +28,9 @@ void SoundOutput::look_after_device(double time_s) {
   if (device_ || (next_try_s_ && time_s < *next_try_s_)) return;
   base::Result<std::unique_ptr<platform::AudioDevice>> device =
       open_([this](std::span<float> samples) { mixer_.fill(samples); });
-  next_try_s_ = time_s + kTryAgain_s;
+  // Each try takes the game's time: a machine without sound is not asked again and again.
+  tries_ = device.ok() ? 0 : tries_ + 1;
+  next_try_s_ = time_s + (tries_ <= kManyTries ? kTryAgain_s : kTrySeldom_s);
   if (device.ok()) {
     device_ = std::move(device).value();
     if (is_missing_) notes_.push_back(fmt::format("sound again: {}", device_->describe()));

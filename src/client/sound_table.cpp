@@ -3,8 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+
+#include "base/text.h"
 
 namespace temblor::client {
+namespace {
+
+// 256 MB: game code names whatever it likes. The rest is loaded when it is heard.
+constexpr std::size_t kMostLoadedAhead_samples = std::size_t{1} << 26;
+
+std::string file_name_of(std::string_view sound) {
+  std::string name = base::to_lower(sound);
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
+}
+
+}  // namespace
 
 SoundTable::~SoundTable() {
   stop_loading();
@@ -41,6 +56,7 @@ audio::SoundPtr SoundTable::find_or_load(Sounds& io_sounds, const std::string& n
 
 // In the order of the list: what game code names first (the weapons) is likely to be heard first.
 void SoundTable::load_ahead(const std::vector<std::string>& names) {
+  std::size_t samples = 0;
   for (const std::string& name : names) {
     if (stops_) return;
     {
@@ -48,6 +64,8 @@ void SoundTable::load_ahead(const std::vector<std::string>& names) {
       if (name.empty() || sounds_.contains(name)) continue;
     }
     Loaded loaded = load(name, audio::Repeats::kAsTheFileSays);
+    samples += loaded.sound ? loaded.sound->samples.size() : 0;
+    if (samples > kMostLoadedAhead_samples) return;
     const std::lock_guard lock(mutex_);
     sounds_.emplace(name, std::move(loaded));
   }
@@ -55,12 +73,11 @@ void SoundTable::load_ahead(const std::vector<std::string>& names) {
 
 void SoundTable::begin_level(std::span<const std::string> names) {
   stop_loading();
-  names_.assign(names.begin(), names.end());
-  std::erase_if(sounds_, [&](const auto& entry) {
-    // What is missing is kept too, so that it is noted once a game and not once a level.
-    return entry.second.sound != nullptr &&
-           std::find(names_.begin(), names_.end(), entry.first) == names_.end();
-  });
+  names_.clear();
+  // Written in another way, it is the same file.
+  for (const std::string& name : names) names_.push_back(file_name_of(name));
+  const std::set<std::string> wanted_names(names_.begin(), names_.end());
+  std::erase_if(sounds_, [&](const auto& entry) { return !wanted_names.contains(entry.first); });
   loader_ = std::thread([this, wanted = names_] { load_ahead(wanted); });
 }
 

@@ -25,8 +25,7 @@ base::Result<std::string> read_commands(const GameData& data, std::string_view n
   if (!normalized)
     return base::error(base::ErrorCode::kUsage, "\"{}\" is no name of a file in the game folders", name);
   // What was written since the folders were read is not in their tables.
-  base::Result<base::ByteVector> bytes =
-      vfs::read_disk_file(data.write_folder / *normalized, kMaxCommandFileBytes);
+  base::Result<base::ByteVector> bytes = vfs::read_disk_file(data.write_folder / name, kMaxCommandFileBytes);
   if (!bytes.ok()) bytes = data.library.files().read(name);
   if (!bytes.ok()) return bytes.error();
   std::string text(base::as_text(*bytes));
@@ -47,6 +46,8 @@ base::Status keep_damaged(const GameData& data, std::string_view name) {
   const base::Result<std::string> text = read_commands(data, name);
   if (text.ok() || text.error().code == base::ErrorCode::kNotFound) return base::Ok{};
   const std::filesystem::path file = data.write_folder / name;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return base::Ok{};  // it is another folder's
   std::filesystem::path aside = file;
   aside += ".damaged";
   std::error_code failure;

@@ -65,13 +65,17 @@ bool Host::frame() {
                           : rate_hz > 0                  ? rate_hz
                           : display_hz > 0               ? display_hz
                                                          : kUnknownRefreshRate_hz;
-  limiter_.wait(limit_hz, [this] { return services_.window.now_s(); });
+  // What is measured does not wait.
+  if (!timed_) limiter_.wait(limit_hz, [this] { return services_.window.now_s(); });
   const double before_s = std::exchange(now_s_, services_.window.now_s());
   times_.frame_s = now_s_ - before_s;
 
   take_input();
   event_time_s_ = now_s_;
   console_.run();
+  if (std::optional<std::vector<std::string>> games = std::exchange(wanted_games_, std::nullopt))
+    if (const base::Status changed = change_games(std::move(*games)); !changed.ok())
+      print(changed.error().message());
   follow_variables();
   read_server();
   look_and_move();
@@ -121,7 +125,11 @@ void Host::take_event(const platform::InputEvent& event) {
   } else if (const auto* changed = std::get_if<platform::WindowChanged>(&event.what)) {
     take_size(*changed);
   } else if (std::holds_alternative<platform::CloseRequested>(event.what)) {
-    quit();
+    // The second time it is meant.
+    if (unsaved().empty() || menu_->is_open())
+      quit();
+    else
+      open_menu(client::MenuPage::kQuit);
   }
 }
 
@@ -147,7 +155,9 @@ void Host::take_size(const platform::WindowChanged& changed) {
 
 void Host::take_key(const platform::KeyChange& key) {
   if (key.repeated) return;
-  if (key.down && key.key == platform::Key::kEscape) return toggle_menu();
+  const bool opens_menu = key.key == platform::Key::kEscape ||
+                          (key.key == platform::Key::kPadStart && bindings_.commands(key.key).empty());
+  if (key.down && opens_menu) return toggle_menu();
   if (!key.down)
     console_.append(held_.release(key.key));
   else
@@ -184,11 +194,15 @@ void Host::tell_player() {
 }
 
 void Host::read_server() {
-  if (const std::optional<std::string> lost = session_->read(now_s_)) print(*lost);
+  if (const std::optional<std::string> lost = session_->read(now_s_)) {
+    print(*lost);
+    if (const base::Status kept = stop_recording_if_any(); !kept.ok()) print(kept.error().message());
+  }
   if (client::Connection* const connection = session_->connection()) {
-    const client::Events& events = connection->state().events();
-    for (const std::string& text : events.prints) print_part(text);
-    rumble(events);
+    // Taken here: until the game has begun nobody else clears them.
+    client::Events& events = connection->state().events();
+    for (const std::string& text : std::exchange(events.prints, {})) print_part(text);
+    if (session_->is_playing()) rumble(events);
     for (const std::string& line : connection->take_commands())
       if (session_->server() != nullptr || may_be_stuffed(line)) console_.append(line);
   }
@@ -209,6 +223,8 @@ void Host::rumble(const client::Events& events) {
 // What the frame before has led to, and the menus' clicks.
 void Host::make_sound() {
   client::AudioScene& scene = data_->presentation.audio_scene();
+  const bool plays = demo_ || session_->is_playing();
+  if (std::exchange(was_playing_, plays) && !plays) scene.end_level();
   for (const std::string& name : menu_->take_sounds()) scene.play_local(name);
   for (const std::string& note : scene.take_notes()) print(note);
   if (sound_) {

@@ -69,6 +69,7 @@ class Host {
   command::Console& console() { return console_; }
   client::ConsoleUi& console_ui() { return console_ui_; }
   void print(std::string_view line);
+  void play_sound(const std::string& name) { data_->presentation.audio_scene().play_local(name); }
   void open_menu(client::MenuPage page);
   void toggle_menu();
   base::Status start_map(std::string_view map);
@@ -102,14 +103,16 @@ class Host {
   std::string unsaved();
   void search_servers();
   const std::vector<client::MenuServer>& found_servers() const { return search_.found(); }
-  // Another set of game folders, without a restart; the game that is running ends.
-  base::Status change_games(std::vector<std::string> games);
+  // Another set of game folders, without a restart, after this frame's commands; the game that is running
+  // ends.
+  void ask_for_games(std::vector<std::string> games);
 
  private:
   Host(Services services, const HostVariables& variables, HostOptions options);
   base::Status open();
   void take_up_data();
   base::Status configure();
+  base::Status change_games(std::vector<std::string> games);
   void leave();
   base::Status stop_recording_if_any();
   void keep_picture(const render::FrameBuffer& frame);
@@ -134,8 +137,13 @@ class Host {
   void make_sound();
   void rumble(const client::Events& events);
   void draw();
-  void draw_view(render::FrameBuffer& io_frame);
-  void draw_over(const render::FrameBuffer& frame);
+  struct DrawSettings {
+    render::Settings render;
+    client::ConsoleSettings console;
+    bool shows_speed, shows_latency;
+  };
+  void draw_view(const DrawSettings& settings, render::FrameBuffer& io_frame);
+  void draw_over(const DrawSettings& settings, const render::FrameBuffer& frame);
   bool is_in_game() const { return !console_ui_.takes_text() && !(menu_ && menu_->is_open()); }
   bool has_view() const;
   void print_part(std::string_view text);
@@ -159,6 +167,7 @@ class Host {
   std::string demo_name_;
   client::DemoControls demo_controls_;
   std::optional<TimedDemo> timed_;
+  std::optional<std::vector<std::string>> wanted_games_;
   std::string recording_name_;  // empty: none is being made
   std::string picture_wanted_;  // of the saved game of this name; empty: none
   ServerSearch search_;
@@ -185,7 +194,7 @@ class Host {
     double seconds = 0, worst_latency_s = 0;
   } speed_;
   std::string speed_text_, latency_text_;
-  bool has_focus_ = true, takes_text_ = false;
+  bool has_focus_ = true, takes_text_ = false, was_playing_ = false;
   double saved_s_ = 0;  // when the game was last saved, or begun
   bool wants_to_quit_ = false;
 };

@@ -200,8 +200,7 @@ void add_game_commands(Host& io_host) {
       [](Host& host, Arguments) { change_view_size(host, -10); });
   add("game", "game FOLDER... plays other game folders besides id1; alone: says which ones.",
       [](Host& host, Arguments arguments) {
-        if (arguments.size() > 1)
-          return print_error(host, host.change_games({arguments.begin() + 1, arguments.end()}));
+        if (arguments.size() > 1) return host.ask_for_games({arguments.begin() + 1, arguments.end()});
         for (const std::filesystem::path& folder : host.data().library.files().folders())
           host.print(folder.string());
       });
@@ -211,6 +210,12 @@ void add_game_commands(Host& io_host) {
       });
   add("writeconfig", "Saves the settings now instead of at the end.",
       [](Host& host, Arguments) { print_error(host, host.save_configuration()); });
+  add("play", "play FILE sounds once: misc/menu1.wav.", [](Host& host, Arguments arguments) {
+    for (const std::string& name : arguments.subspan(1)) host.play_sound(name);
+  });
+  // Said by games' code to stock clients, which change the track or the view's colour by them.
+  for (const char* const name : {"playvol", "stopsound", "cd", "music", "v_cshift"})
+    add(name, "Of stock games; does nothing here.", [](Host&, Arguments) {});
   add("cmd", "cmd WORDS says them to the server as they are.", [](Host& host, Arguments arguments) {
     if (client::Connection* const connection = host.session().connection();
         connection && arguments.size() > 1)

@@ -9,6 +9,8 @@
 namespace temblor::host {
 namespace {
 
+constexpr double kLongestStep_s = 0.1;  // loading takes no time of the recording
+
 std::string with_suffix(std::string_view name) {
   std::string file(name);
   if (!file.ends_with(".dem")) file += ".dem";
@@ -20,7 +22,7 @@ base::Result<base::ByteVector> read_demo(const GameData& data, const std::string
   const std::optional<std::string> name = vfs::normalized_name(file);
   if (!name)
     return base::error(base::ErrorCode::kUsage, "\"{}\" is no name of a file in the game folders", file);
-  base::Result<base::ByteVector> bytes = vfs::read_disk_file(data.write_folder / *name);
+  base::Result<base::ByteVector> bytes = vfs::read_disk_file(data.write_folder / file);
   if (bytes.ok()) return bytes;
   return data.library.files().read(*name);
 }
@@ -58,7 +60,7 @@ base::Status Host::show_demo() {
   data_->presentation.follow(nullptr);  // a recording's player goes where it says
   read_presentation_settings();
   const client::InputSettings input = variables_.input();
-  const double passed_s = is_in_game() ? times_.frame_s : 0;
+  const double passed_s = is_in_game() ? std::min(times_.frame_s, kLongestStep_s) : 0;
   base::Result<bool> goes_on =
       timed_ ? demo_->step(1, presentation_settings_)
              : demo_controls_.advance(passed_s, presentation_settings_,
@@ -101,10 +103,18 @@ base::Status Host::record(std::string_view name) {
   if (session_->connection() == nullptr) return base::error(base::ErrorCode::kUsage, "record: not in a game");
   if (!vfs::normalized_name(name))
     return base::error(base::ErrorCode::kUsage, "\"{}\" is no name for a file", name);
+  // The own server's ends with its level.
+  if (session_->server() != nullptr && !session_->server()->is_recording() &&
+      !session_->connection()->is_recording())
+    recording_name_.clear();
   if (!recording_name_.empty()) return base::error(base::ErrorCode::kUsage, "a recording is running already");
-  recording_name_ = with_suffix(name);
   // From its beginning on: what the level began with is not said again. The own server can begin it anew.
-  if (session_->is_alone() && session_->is_playing()) return session_->server()->record(0, name);
+  if (session_->is_alone() && session_->is_playing()) {
+    TRY_STATUS(session_->server()->record(0, name));
+    recording_name_ = with_suffix(name);
+    return base::Ok{};
+  }
+  recording_name_ = with_suffix(name);
   session_->connection()->start_recording();
   print("recording from the next level on");
   return base::Ok{};
@@ -117,10 +127,14 @@ base::Status Host::stop_recording() {
 
 base::Status Host::stop_recording_if_any() {
   const std::string name = std::exchange(recording_name_, {});
-  if (name.empty() || session_->connection() == nullptr) return base::Ok{};
-  if (!session_->connection()->is_recording())
-    return session_->server() != nullptr ? session_->server()->stop_recording() : base::Status(base::Ok{});
-  const std::optional<base::ByteVector> recording = session_->connection()->finish_recording();
+  std::optional<base::ByteVector> recording = session_->take_lost_recording();
+  if (name.empty()) return base::Ok{};
+  if (server::Server* const server = session_->server(); server != nullptr && server->is_recording())
+    return server->stop_recording();
+  if (!recording && session_->connection() != nullptr && session_->connection()->is_recording())
+    recording = session_->connection()->finish_recording();
+  else if (!recording)
+    return base::Ok{};
   if (!recording) return base::error(base::ErrorCode::kUsage, "{}: no level has begun since `record`", name);
   TRY_STATUS(services_.write_file(data_->write_folder / name, *recording));
   print(fmt::format("recorded to {}", (data_->write_folder / name).string()));

@@ -31,11 +31,16 @@ base::Status Host::configure() {
   if (data_->library.files().contains("default.cfg")) run("default.cfg");
   bindings_.add_defaults();
   if (const std::optional<std::string> file = configuration_to_run(*data_)) run(*file);
-  if (data_->library.files().contains("autoexec.cfg")) run("autoexec.cfg");
+  std::error_code ignored;
+  if (data_->library.files().contains("autoexec.cfg") ||
+      std::filesystem::exists(data_->write_folder / "autoexec.cfg", ignored))
+    run("autoexec.cfg");
   if (options_.apply_overrides) TRY_STATUS(options_.apply_overrides());
   console_ui_.load_history(read_history(data_->write_folder));
   window_settings_ = variables_.window();
-  TRY_STATUS(services_.window.apply(window_settings_));
+  // What this display cannot show is no reason not to play.
+  if (const base::Status applied = services_.window.apply(window_settings_); !applied.ok())
+    print(applied.error().message());
   for (const std::string& line : options_.commands) console_.append(line);
   if (options_.commands.empty()) menu_->open();
   return base::Ok{};
@@ -45,13 +50,24 @@ base::Status Host::open_own_server(std::uint32_t max_clients) {
   return session_->open_server(max_clients, variables_.port(), variables_.player());
 }
 
+// A name that is mistyped must not end what is being played.
 base::Status Host::start_map(std::string_view map) {
+  const std::string file = fmt::format("maps/{}.bsp", map);
+  if (!data_->library.files().contains(file))
+    return base::error(base::ErrorCode::kNotFound, "there is no level \"{}\"; `maps` lists them", map);
+  TRY_STATUS(stop_recording_if_any());
   stop_demo();
   TRY_STATUS(open_own_server(variables_.max_players()));
   return take_up(session_->server()->start_map(map));
 }
 
 base::Status Host::load_game(std::string_view name) {
+  std::string file(name);
+  if (!file.ends_with(".sav")) file += ".sav";
+  std::error_code ignored;
+  if (!std::filesystem::exists(data_->write_folder / file, ignored))
+    return base::error(base::ErrorCode::kNotFound, "there is no saved game \"{}\"", name);
+  TRY_STATUS(stop_recording_if_any());
   stop_demo();
   TRY_STATUS(open_own_server(1));
   return take_up(session_->server()->load(name));
@@ -125,6 +141,7 @@ void Host::toggle_menu() {
 }
 
 base::Status Host::connect(std::string_view address) {
+  TRY_STATUS(stop_recording_if_any());
   stop_demo();
   TRY_STATUS(session_->connect(address, variables_.player()));
   console_ui_.close();
@@ -137,7 +154,11 @@ void Host::disconnect() {
   if (const base::Status kept = stop_recording_if_any(); !kept.ok()) print(kept.error().message());
   stop_demo();
   session_->disconnect("The host has left.");
-  data_->presentation.audio_scene().resume({});
+}
+
+// Not in the middle of a command: the configuration is a file of them.
+void Host::ask_for_games(std::vector<std::string> games) {
+  wanted_games_ = std::move(games);
 }
 
 base::Status Host::change_games(std::vector<std::string> games) {

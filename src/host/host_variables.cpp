@@ -69,7 +69,8 @@ HostVariables::HostVariables(command::Variables& variables)
   const server::ServerVariables of_servers(rules);
   const std::vector<std::string> not_kept = names_of(rules);
   for (std::string& name : names_of(variables))
-    if (std::find(not_kept.begin(), not_kept.end(), name) == not_kept.end() && name != "r_show")
+    if (std::find(not_kept.begin(), not_kept.end(), name) == not_kept.end() && name != "r_show" &&
+        name != "maxplayers")
       kept_.push_back(std::move(name));
 }
 

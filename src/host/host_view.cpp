@@ -40,10 +40,14 @@ void Host::draw() {
   const double began_s = services_.window.now_s();
   const ScreenSettings settings = variables_.screen();
   render::FrameBuffer& frame = screen_.begin(services_.window.size(), settings);
-  const auto step = [this] { session_->step_server(now_s_, is_halted()); };
-  const bool beside = variables_.is_parallel() && session_->server() != nullptr;
+  const auto step = [this, halted = is_halted()] { session_->step_server(now_s_, halted); };
+  // The game's code may set variables: what drawing needs of them is read before, and the menus, which show
+  // them, are not drawn meanwhile.
+  const DrawSettings drawing{variables_.render(), variables_.console(), variables_.shows_speed(),
+                             variables_.shows_latency()};
+  const bool beside = variables_.is_parallel() && session_->server() != nullptr && is_in_game();
   if (beside) worker_.begin(step);
-  draw_view(frame);
+  draw_view(drawing, frame);
   times_.drawing_s = services_.window.now_s() - began_s;
   const base::Status shown = screen_.show(data_->look.palette, settings, times_.drawing_s, services_.window);
   const double presented_s = services_.window.now_s();
@@ -56,11 +60,11 @@ void Host::draw() {
   if (!shown.ok()) print(shown.error().message());
 }
 
-void Host::draw_view(render::FrameBuffer& io_frame) {
+void Host::draw_view(const DrawSettings& settings, render::FrameBuffer& io_frame) {
   render::FrameStats stats;
   overlay_.clear();
   if (has_view() && !console_ui_.covers_frame()) {
-    stats = data_->renderer.render(data_->presentation.scene(), variables_.render(), io_frame);
+    stats = data_->renderer.render(data_->presentation.scene(), settings.render, io_frame);
     if (!picture_wanted_.empty()) keep_picture(io_frame);
     const client::ClientState& state = demo_ ? demo_->state() : session_->connection()->state();
     overlay_ =
@@ -68,18 +72,18 @@ void Host::draw_view(render::FrameBuffer& io_frame) {
   } else {
     overlay_.commands.push_back({.area = {0, 0, io_frame.width(), io_frame.height()}, .fill = kBlack});
   }
-  draw_over(io_frame);
+  draw_over(settings, io_frame);
   data_->renderer.draw_overlay(overlay_, io_frame, stats);
 }
 
 // Console and menus, and what is measured.
-void Host::draw_over(const render::FrameBuffer& frame) {
+void Host::draw_over(const DrawSettings& settings, const render::FrameBuffer& frame) {
   const bool menu_is_open = menu_->is_open();
   const client::ConsoleView view{.pictures = data_->presentation.pictures(),
                                  .time_s = now_s_,
                                  .game_runs = has_view() || menu_is_open,
                                  .version = options_.version,
-                                 .settings = variables_.console()};
+                                 .settings = settings.console};
   if (demo_ && !timed_ && (demo_->is_paused() || demo_controls_.idle_s() < kBarShownFor_s))
     client::draw_demo_bar(*demo_, data_->presentation.pictures(), frame.width(), frame.height(), 0, overlay_);
   console_ui_.draw(view, frame.width(), frame.height(), overlay_);
@@ -93,8 +97,8 @@ void Host::draw_over(const render::FrameBuffer& frame) {
     speed_ = {};
   }
   int line = 0;
-  for (const std::string* text : {variables_.shows_speed() ? &speed_text_ : nullptr,
-                                  variables_.shows_latency() ? &latency_text_ : nullptr})
+  for (const std::string* text :
+       {settings.shows_speed ? &speed_text_ : nullptr, settings.shows_latency ? &latency_text_ : nullptr})
     if (text != nullptr)
       client::draw_corner_text(data_->presentation.pictures(), *text, line++, frame.width(), frame.height(),
                                overlay_);

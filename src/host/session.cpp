@@ -47,6 +47,8 @@ server::ServerSetup Session::setup_for(net::ServerEndpoint::Sockets sockets, std
 base::Status Session::open_server(std::uint32_t max_clients, std::uint16_t port,
                                   const client::PlayerSettings& player) {
   if (server_ && max_clients_ == max_clients) return base::Ok{};
+  // The port that the one before has is wanted again.
+  if (server_ && max_clients_ > 1) disconnect("The host has begun another game.");
   net::ServerEndpoint::Sockets sockets;
   net::LoopbackNetwork network;
   sockets.push_back(network.open(kServerLoopbackPort));
@@ -94,6 +96,7 @@ std::optional<std::string> Session::read(double now_s) {
   connection_->update(now_s);
   if (!connection_->is_connecting() && !connection_->is_connected()) {
     std::string reason = connection_->lost_because();
+    lost_recording_ = connection_->finish_recording();
     disconnect("");
     return reason;
   }

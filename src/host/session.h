@@ -37,6 +37,10 @@ class Session {
 
   // Reads what has come. What ends the connection is returned once, as text for a person.
   std::optional<std::string> read(double now_s);
+  // What was recorded of a connection that was lost, once.
+  std::optional<base::ByteVector> take_lost_recording() {
+    return std::exchange(lost_recording_, std::nullopt);
+  }
   // The moment to show, on the server's clock: with the last update or between the last two.
   double time_s() const { return time_s_; }
   // How many moves should be sent now: one before each tick of the own server, or of one that numbers them;
@@ -65,6 +69,7 @@ class Session {
   std::uint32_t max_clients_ = 0;
   std::string server_output_;
   std::optional<client::Connection> connection_;
+  std::optional<base::ByteVector> lost_recording_;
   double now_s_ = 0, time_s_ = 0, moved_s_ = 0;
   double server_now_s_ = 0;  // its own clock, which stands still while it is halted
   double stepped_s_ = 0;     // when it last went on

@@ -12,6 +12,9 @@
 namespace temblor::net {
 namespace {
 
+// Of any number that is told: sums of so large ones are numbers still.
+constexpr float kMostOfAnything = 1e6f;
+
 constexpr std::string_view kTermsBegin = "//temblor moves ", kAcknowledgementBegin = "//a ";
 constexpr std::string_view kNumberBegin = "tm ";
 constexpr double kShortestTick_s = 0.001, kLongestTick_s = 0.1;
@@ -91,14 +94,14 @@ struct WireWriter {
 
 struct WireReader {
   base::ByteReader bytes;
-  bool is_finite = true;
+  bool is_sane = true;  // not so large that sums of them are no number any more
   template <typename T>
   void operator()(T& out_value) {
     out_value = bytes.read<T>();
   }
   void operator()(float& out_value) {
     out_value = bytes.f32();
-    is_finite = is_finite && std::isfinite(out_value);
+    is_sane = is_sane && std::abs(out_value) <= kMostOfAnything;
   }
   void operator()(math::Vec3& out_value) {
     for (int axis = 0; axis < 3; ++axis) (*this)(out_value[axis]);
@@ -148,7 +151,7 @@ std::optional<std::array<double, kCount>> numbers_of(std::string_view text) {
   for (double& number : numbers) {
     while (text.starts_with(' ')) text.remove_prefix(1);
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (failure != std::errc() || !std::isfinite(number)) return std::nullopt;
+    if (failure != std::errc() || !(std::abs(number) <= kMostOfAnything)) return std::nullopt;
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   }
   return text.empty() ? std::optional(numbers) : std::nullopt;
@@ -212,7 +215,7 @@ std::optional<MoveAcknowledgement> read_acknowledgement(std::string_view line) {
   a.is_in_lava = (flags & kLava) != 0;
   if (flags & kRide) a.ride.emplace();
   exchange(reader, a, flags);
-  return reader.bytes.ok() && reader.is_finite ? std::optional(a) : std::nullopt;
+  return reader.bytes.ok() && reader.is_sane ? std::optional(a) : std::nullopt;
 }
 
 std::string move_number_command(std::uint32_t last_number) {

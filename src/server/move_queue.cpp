@@ -1,6 +1,7 @@
 #include "server/move_queue.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace temblor::server {
@@ -10,14 +11,22 @@ constexpr std::uint32_t kMostReplaced = 8;
 constexpr double kCreditEachTick = 1.01, kMostCredit = 20;
 // More than this wait only after the network stood still.
 constexpr std::size_t kManyWaiting = 12;
-constexpr std::size_t kMostEachTick = 4;
+constexpr std::size_t kMostEachTick = 2;
+constexpr double kFirstCredit = 4;
 constexpr int kTicksToCount = 36;
 
 }  // namespace
 
+void MoveQueue::restart() {
+  const double credit = std::min(credit_, kFirstCredit);
+  *this = MoveQueue{};
+  credit_ = credit;
+}
+
 void MoveQueue::add(std::uint32_t last_number, std::span<const PlayerInput> moves) {
   const auto count = static_cast<std::uint32_t>(moves.size());
-  if (count == 0 || last_number < count) return;
+  // Behind the last of all numbers there is none.
+  if (count == 0 || last_number < count || last_number == std::numeric_limits<std::uint32_t>::max()) return;
   const std::uint32_t first_number = last_number - (count - 1);
   if (!has_begun_) {
     has_begun_ = true;
@@ -72,13 +81,14 @@ std::span<const PlayerInput> MoveQueue::take() {
     turn_.push_back(last_);
     return turn_;
   }
-  held_ticks_ = 0;
   play_next();
   const auto can_play_more = [&] {
     return !waiting_.empty() && credit_ >= 1 && turn_.size() < kMostEachTick;
   };
   while (waiting_.size() > kManyWaiting && can_play_more()) play_next();
   for (std::size_t more = left_over(); more > 0 && can_play_more(); --more) play_next();
+  // Paid back move by move: who sends now and then does not slow his own time.
+  held_ticks_ = std::max(0, held_ticks_ - static_cast<int>(turn_.size()));
   return turn_;
 }
 

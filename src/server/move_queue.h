@@ -25,6 +25,8 @@ class MoveQueue {
   // What to play this tick: none, one, or some more to catch up. Over time no more than a tick's move each
   // tick (and a hundredth, for clocks that differ).
   std::span<const PlayerInput> take();
+  // Numbers begin anew, but what may be played does not: nobody gets ahead by it.
+  void restart();
   // Time stands still: what waits is passed over.
   void skip();
 

@@ -76,6 +76,7 @@ class Server {
   bool is_paused() const { return is_paused_; }
   base::Status record(std::size_t slot, std::string_view name);
   base::Status stop_recording();
+  bool is_recording() const { return recorder_.has_value(); }
   // A host's command on behalf of somebody else: what it printed.
   std::string run_and_capture(std::string_view line);
   // The game's code has failed.

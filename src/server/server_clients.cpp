@@ -196,7 +196,7 @@ void Server::take_move(std::size_t slot, const net::Move& move) {
   const std::uint8_t impulse = move.impulse != 0 ? move.impulse : client.input.impulse;
   client.input = input_of(move);
   client.input.impulse = impulse;
-  if (client.moves.has_begun()) client.moves = MoveQueue{};
+  if (client.moves.has_begun()) client.moves.restart();
 }
 
 // Whether this client has not asked for too much lately.

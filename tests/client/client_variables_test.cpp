@@ -38,6 +38,7 @@ std::vector<Case> cases() {
       {"r_slimealpha=0.5", [](const auto& s) { return s.liquid_alpha.slime; }, 1, 0.5},
       {"r_lavaalpha=0.5", [](const auto& s) { return s.liquid_alpha.lava; }, 1, 0.5},
       {"r_telealpha=0.5", [](const auto& s) { return s.liquid_alpha.teleport; }, 1, 0.5},
+      {"scr_subtitles=1", [](const auto& s) { return s.subtitles; }, 0, 1},
       {"r_fog=0", [](const auto& s) { return s.fog; }, 1, 0},
       {"r_skybox=0", [](const auto& s) { return s.skybox; }, 1, 0},
       {"volume=0.5", [](const auto& s) { return s.volumes.sounds; }, double{0.7f}, 0.5},

@@ -40,7 +40,7 @@ void register_menu_variables(command::Variables& io_variables) {
                                     kMips[] = {"footprint", "stock"}, kPerspectives[] = {"exact", "every16"};
   for (const char* name :
        {"vid_vsync", "scr_showlatency", "host_parallel", "vid_render_scale_auto", "scr_showfps",
-        "r_coloured_light", "r_alias_snap", "con_highcontrast", "scr_subtitles", "scr_safecolours", "coop"})
+        "r_coloured_light", "r_alias_snap", "con_highcontrast", "scr_safecolours", "coop"})
     v.add_bool(name, false, fmt::format("What {} does, said in one sentence that may be rather long.", name));
   for (const char* name : {"vid_render_scale", "joy_rumble"})
     v.add_float(name, 0.5, 0, 1, fmt::format("How much there is of {}.", name));

@@ -247,6 +247,36 @@ TEST(Host, SavesAndLoads) {
   EXPECT_LT(glm::length(loaded - saved), 2);
 }
 
+// The server stands still, and nobody gives it up for that.
+TEST(Host, APauseMayLastAnHour) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayedHost played({"map small"});
+  ASSERT_TRUE(played.run_until_playing());
+  played.run(0.2);
+  const float before_s = played.host().session().server()->game()->time_s();
+  played.press(Key::kEscape);
+  played.run(3600, 10);
+  EXPECT_TRUE(played.host().session().is_playing());
+  EXPECT_NEAR(played.host().session().server()->game()->time_s(), before_s, 0.1);
+  played.press(Key::kEscape);
+  played.run(0.5);
+  EXPECT_TRUE(played.host().session().is_playing());
+  EXPECT_GT(played.host().session().server()->game()->time_s(), before_s + 0.2);
+}
+
+TEST(Host, AMistypedLevelOrSaveEndsNothing) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayedHost played({"map small"});
+  ASSERT_TRUE(played.run_until_playing());
+  for (const char* const line : {"map nowhere", "load nothing"}) {
+    played.command(line);
+    played.run(0.1);
+    EXPECT_TRUE(played.host().session().is_playing()) << line;
+  }
+  EXPECT_TRUE(played.has_printed("there is no level \"nowhere\""));
+  EXPECT_TRUE(played.has_printed("there is no saved game \"nothing\""));
+}
+
 TEST(Host, LeavesAndComesBack) {
   SKIP_WITHOUT_QUAKEC();
   PlayedHost played({"map small"});

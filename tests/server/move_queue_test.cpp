@@ -128,5 +128,34 @@ TEST(MoveQueue, WhereTimeStandsStillMovesPassUnplayed) {
   EXPECT_TRUE(queue.take().empty());
 }
 
+// Who mixes numbered and other moves, so that numbers begin anew again and again, plays no more for it.
+TEST(MoveQueue, BeginningAnewBringsNothing) {
+  MoveQueue queue;
+  std::uint32_t number = 1;
+  std::size_t played = 0;
+  constexpr int kTicks = 720;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    queue.restart();
+    const std::vector<PlayerInput> moves(16);
+    queue.add(number + 15, moves);
+    number += 16;
+    played += queue.take().size();
+  }
+  EXPECT_LE(played, kTicks * 1.01 + 5);
+}
+
+// One move now and then does not make one's own time run at a fraction.
+TEST(MoveQueue, WhoHoldsStillIsNotLeftOutOfTimeForLong) {
+  MoveQueue queue;
+  std::uint32_t number = 1;
+  std::size_t played = 0;
+  constexpr int kTicks = 720;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    if (tick % 19 == 0) queue.add(number++, std::vector<PlayerInput>(1));
+    played += queue.take().size();
+  }
+  EXPECT_GT(played, kTicks * 9 / 10);
+}
+
 }  // namespace
 }  // namespace temblor::server

@@ -95,8 +95,9 @@ base::Status SdlWindow::set_mode(const WindowSettings& settings) {
                                nullptr};
   SDL_DisplayMode mode;
   if (SDL_GetClosestDisplayMode(display, &wished, &mode) == nullptr)
-    return base::error(base::ErrorCode::kNotFound, "the display has no mode of {} x {} or more",
-                       settings.size.width, settings.size.height);
+    // None so large, as on another display than the settings were made for: all of this one.
+    return SDL_SetWindowFullscreen(window, SDL_WINDOW_FULLSCREEN_DESKTOP) == 0 ? base::Status(base::Ok{})
+                                                                               : sdl_error("full screen");
   if (SDL_SetWindowDisplayMode(window, &mode) != 0 ||
       SDL_SetWindowFullscreen(window, SDL_WINDOW_FULLSCREEN) != 0)
     return sdl_error("full screen");
