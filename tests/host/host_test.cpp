@@ -253,7 +253,7 @@ TEST(Host, APauseMayLastAnHour) {
   PlayedHost played({"map small"});
   ASSERT_TRUE(played.run_until_playing());
   played.run(0.2);
-  const float before_s = played.host().session().server()->game()->time_s();
+  const double before_s = played.host().session().server()->game()->time_s();
   played.press(Key::kEscape);
   played.run(3600, 10);
   EXPECT_TRUE(played.host().session().is_playing());
