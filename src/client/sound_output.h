@@ -46,7 +46,7 @@ class SoundOutput {
   std::unique_ptr<platform::AudioDevice> device_;  // uses the mixer
   std::optional<double> next_try_s_;               // nothing: at once
   double time_s_ = 0;
-  int tries_ = 0;  // without a device, one after another
+  int tries_ = 0;            // without a device, one after another
   bool is_missing_ = false;  // and that was said
   int track_ = 0;
   bool has_noted_music_ = false;

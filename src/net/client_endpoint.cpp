@@ -79,7 +79,8 @@ void ClientEndpoint::update(double now_s) {
     return lose(fmt::format("{} does not answer", to_text(asked_)));
   }
   if (state_ != State::kConnected) return;
-  if (!server_.is_local() && now_s - heard_s_ > settings_.timeout_s) return lose("the server has fallen silent");
+  if (!server_.is_local() && now_s - heard_s_ > settings_.timeout_s)
+    return lose("the server has fallen silent");
   channel_.update(now_s, SendTo{*socket_, server_});
 }
 
