@@ -213,7 +213,7 @@ std::optional<MoveAcknowledgement> read_acknowledgement(std::string_view line) {
   a.is_turned_by_game = (flags & kTurnedByGame) != 0;
   a.is_in_slime = (flags & kSlime) != 0;
   a.is_in_lava = (flags & kLava) != 0;
-  if (flags & kRide) a.ride.emplace();
+  if (flags & kRide) a.ride = MoveAcknowledgement::Ride{};
   exchange(reader, a, flags);
   return reader.bytes.ok() && reader.is_sane ? std::optional(a) : std::nullopt;
 }
