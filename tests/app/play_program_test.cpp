@@ -41,9 +41,10 @@ class Evening {
     script.replace(script.find("PLAY"), 4, play);
     folder_.write("script.sh", script);
     const std::string out = (folder_.path() / "out").string();
-    // What libdbus, which SDL loads and lets go, does not give back is no fault of ours; leaks of the game are found
-    // by tests/host.
-    const std::string line = "ASAN_OPTIONS=detect_leaks=0; export ASAN_OPTIONS; cd '" + folder_.path().string() +
+    // What libdbus, which SDL loads and lets go, does not give back is no fault of ours; leaks of the game
+    // are found by tests/host.
+    const std::string line = "ASAN_OPTIONS=detect_leaks=0; export ASAN_OPTIONS; cd '" +
+                             folder_.path().string() +
                              "' && xvfb-run -a -s '-screen 0 1024x768x24' sh script.sh >'" + out + "' 2>&1";
     status_ = std::system(line.c_str());
     return read_text(out);
