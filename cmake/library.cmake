@@ -30,10 +30,6 @@ function(temblor_test_flags)
     # Mostly templates of GoogleTest, run once: with -O3 they take nearly twice the time to compile.
     target_compile_options(temblor_test_flags INTERFACE -Og)
   endif()
-  if(TEMBLOR_SANITIZE MATCHES "undefined")
-    # A test's own pointers are left to the address sanitizer: these checks are a quarter of the time to compile one.
-    target_compile_options(temblor_test_flags INTERFACE -fno-sanitize=null,alignment,object-size,vptr)
-  endif()
   temblor_headers(temblor_test_headers temblor_test_flags <gmock/gmock.h> <gtest/gtest.h>)
 endfunction()
 
