@@ -63,6 +63,14 @@ ClientVariables::ClientVariables(command::Variables& variables) {
   hud_scale_ = variables.add_int("scr_scale", defaults.hud.scale, 0, 64,
                                  "Pixels for each of the 2-D pictures'; 0: chosen from the frame's size.");
   hud_opacity_ = factor("scr_sbaralpha", defaults.hud.opacity, 1, "Opacity of the status bar.");
+  crosshair_ = variables.add_int(
+      "crosshair", 0, 0, 3, "A mark where shots go: 1: a cross of the game's letters; 2: a dot; 3: lines.");
+  crosshair_colour_ = variables.add_int("crosshair_colour", defaults.hud.crosshair.colour, 0, 255,
+                                        "Colour of its dot or lines, of the game's palette.");
+  safe_colours_ =
+      variables.add_bool("scr_safecolours", defaults.hud.safe_colours,
+                         "The status bar tells by marks too what it tells by colours: low numbers, "
+                         "kinds of armour and of keys.");
   show_weapon_ = variables.add_bool("r_drawviewmodel", defaults.show_weapon, "Draws the weapon in hand.");
   water_alpha_ = factor("r_wateralpha", defaults.liquid_alpha.water, 1,
                         "Opacity of water, where the level does not say.");
@@ -104,6 +112,9 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.view.weapon_rise = weapon_rise_above(settings.hud.status_bar);
   settings.hud.scale = static_cast<int>(variables.int_value(hud_scale_));
   settings.hud.opacity = factor(hud_opacity_);
+  settings.hud.crosshair = {static_cast<Crosshair>(variables.int_value(crosshair_)),
+                            static_cast<std::uint8_t>(variables.int_value(crosshair_colour_))};
+  settings.hud.safe_colours = variables.bool_value(safe_colours_);
   settings.show_weapon = variables.bool_value(show_weapon_);
   settings.liquid_alpha = {factor(water_alpha_), factor(slime_alpha_), factor(lava_alpha_),
                            factor(teleport_alpha_)};

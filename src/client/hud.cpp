@@ -19,15 +19,17 @@ void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, doub
   if (settings.status_bar == StatusBar::kNone) return;
   const Panel bar = panel.at_bottom(kBarHeight);
   if (settings.status_bar == StatusBar::kFull)
-    draw_inventory(panel.at_bottom(kBarHeight + kInventoryHeight), game, times, time_s, settings.opacity);
+    draw_inventory(panel.at_bottom(kBarHeight + kInventoryHeight), game, times, time_s,
+                   {settings.opacity, settings.safe_colours});
   if (game.stat(Stat::kHealth) <= 0)
     draw_level_scores(bar, game, time_s, settings.opacity);
   else
-    draw_status_bar(bar, game, times, time_s, settings.opacity);
+    draw_status_bar(bar, game, times, time_s, {settings.opacity, settings.safe_colours});
 }
 
 void draw_play(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
                const HudSettings& settings) {
+  if (game.stat(Stat::kHealth) > 0) draw_crosshair(panel, settings.crosshair);
   draw_bars(panel, game, times, time_s, settings);
   if (game.deathmatch && game.stat(Stat::kHealth) <= 0)
     draw_ranking(panel.in_middle(kScreenHeight), game);

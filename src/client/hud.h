@@ -6,6 +6,7 @@
 
 #include "assets/pictures.h"
 #include "client/client_state.h"
+#include "client/hud/crosshair.h"
 #include "render/draw_list.h"
 
 namespace temblor::client {
@@ -16,6 +17,8 @@ struct HudSettings {
   StatusBar status_bar = StatusBar::kFull;
   int scale = 0;      // frame pixels for each of the original's; 0: as large as the frame's size asks for
   float opacity = 1;  // of what the status bar stands on, 0 to 1
+  CrosshairLook crosshair{};
+  bool safe_colours = false;  // what the original tells by colour alone is told by a mark as well
 };
 
 // What it shows of the past. Far in the past: never.

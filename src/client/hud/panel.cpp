@@ -42,6 +42,12 @@ Panel Panel::at(int left_px, int top_px) const {
   return moved;
 }
 
+Panel Panel::in_frame_pixels() const {
+  Panel unscaled = *this;
+  unscaled.scale_ = 1;
+  return unscaled;
+}
+
 void Panel::picture(std::string_view name, int x, int y, float opacity) const {
   const formats::Picture* const picture = pictures_->find(name);
   if (picture == nullptr) return;

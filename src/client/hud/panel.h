@@ -37,6 +37,10 @@ class Panel {
   Panel in_middle(int height) const { return with_top((frame_height_ - height * scale_) / 2); }
   Panel with_top(int top_px) const;
   Panel at(int left_px, int top_px) const;
+  Panel centred() const {
+    return at(frame_width_ / 2, frame_height_ / 2);
+  }                               // its corner in the frame's middle
+  Panel in_frame_pixels() const;  // the same corner, a scale of 1
 
   int frame_height_px() const { return frame_height_; }
 

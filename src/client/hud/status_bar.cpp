@@ -15,6 +15,7 @@ namespace {
 // Numbers at or below these warn.
 constexpr int kLowHealth = 25, kLowArmor = 25, kLowAmmo = 10;
 constexpr int kBarDigits = 3;
+constexpr std::uint8_t kMarkColour = 15, kMarkEdge = 0;  // of the palette: white, black
 // What the armour shows of the invulnerable.
 constexpr int kInvulnerableArmor = 666;
 
@@ -22,7 +23,26 @@ bool has(const Game& game, std::uint32_t items) {
   return (game.data.items & items) == items;
 }
 
-void draw_armor(const Panel& bar, const Game& game) {
+// What warns, warns by shape too: an exclamation mark in the place of the hundreds, which are free then.
+void draw_number(const Panel& bar, int value, int lowest_good, int x, bool marks_warning) {
+  const bool warns = value <= lowest_good;
+  bar.number(value, kBarDigits, warns, x, 0);
+  if (!warns || !marks_warning) return;
+  constexpr int kStrokeX = 10, kStroke = 4;
+  bar.fill(x + kStrokeX, 3, kStroke, 11, kMarkColour);
+  bar.fill(x + kStrokeX, 17, kStroke, kStroke, kMarkColour);
+}
+
+// As many squares as the armour is good.
+void draw_armor_marks(const Panel& bar, int kind, int icon_x) {
+  constexpr int kApart = 7, kSide = 4, kY = 19;
+  for (int i = 0; i < kind; ++i) {
+    bar.fill(icon_x + 2 + i * kApart - 1, kY - 1, kSide + 2, kSide + 2, kMarkEdge);
+    bar.fill(icon_x + 2 + i * kApart, kY, kSide, kSide, kMarkColour);
+  }
+}
+
+void draw_armor(const Panel& bar, const Game& game, bool safe_colours) {
   constexpr int kIconX = 0, kNumberX = 24;
   if (has(game, kItemInvulnerability)) {
     bar.number(kInvulnerableArmor, kBarDigits, true, kNumberX, 0);
@@ -30,13 +50,11 @@ void draw_armor(const Panel& bar, const Game& game) {
     return;
   }
   const int armor = game.stat(Stat::kArmor);
-  bar.number(armor, kBarDigits, armor <= kLowArmor, kNumberX, 0);
-  if (has(game, kItemArmor3))
-    bar.picture("sb_armor3", kIconX, 0);
-  else if (has(game, kItemArmor2))
-    bar.picture("sb_armor2", kIconX, 0);
-  else if (has(game, kItemArmor1))
-    bar.picture("sb_armor1", kIconX, 0);
+  draw_number(bar, armor, kLowArmor, kNumberX, safe_colours);
+  const int kind = has(game, kItemArmor3) ? 3 : has(game, kItemArmor2) ? 2 : has(game, kItemArmor1) ? 1 : 0;
+  if (kind == 0) return;
+  bar.picture(fmt::format("sb_armor{}", kind), kIconX, 0);
+  if (safe_colours) draw_armor_marks(bar, kind, kIconX);
 }
 
 // "face1" is that of full health, "face5" that of none; "face_p1" the same in pain.
@@ -50,7 +68,7 @@ std::string face_of(const Game& game, bool in_pain) {
   return fmt::format("{}{}", in_pain ? "face_p" : "face", kFaces - fitness);
 }
 
-void draw_ammo(const Panel& bar, const Game& game) {
+void draw_ammo(const Panel& bar, const Game& game, bool safe_colours) {
   constexpr int kIconX = 224, kNumberX = 248;
   if (has(game, kItemShells))
     bar.picture("sb_shells", kIconX, 0);
@@ -60,8 +78,7 @@ void draw_ammo(const Panel& bar, const Game& game) {
     bar.picture("sb_rocket", kIconX, 0);
   else if (has(game, kItemCells))
     bar.picture("sb_cells", kIconX, 0);
-  const int ammo = game.stat(Stat::kAmmo);
-  bar.number(ammo, kBarDigits, ammo <= kLowAmmo, kNumberX, 0);
+  draw_number(bar, game.stat(Stat::kAmmo), kLowAmmo, kNumberX, safe_colours);
 }
 
 // For a second after it was found a weapon goes through five bright pictures, ten a second.
@@ -103,7 +120,7 @@ void draw_ammo_counts(const Panel& inventory, const Game& game) {
   }
 }
 
-void draw_finds(const Panel& inventory, const Game& game) {
+void draw_finds(const Panel& inventory, const Game& game, bool safe_colours) {
   struct Find {
     std::uint32_t item;
     const char* picture;
@@ -117,27 +134,29 @@ void draw_finds(const Panel& inventory, const Game& game) {
   constexpr int kY = 8;
   for (const Find& find : kFinds)
     if (has(game, find.item)) inventory.picture(find.picture, find.x, kY);
+  if (!safe_colours) return;
+  constexpr int kInKey = 4;  // a letter in the middle of the picture: silver, gold
+  if (has(game, kItemKey1)) inventory.character('S', kFinds[0].x + kInKey, kY + kInKey);
+  if (has(game, kItemKey2)) inventory.character('G', kFinds[1].x + kInKey, kY + kInKey);
 }
 
 }  // namespace
 
-void draw_status_bar(const Panel& bar, const Game& game, const HudTimes& times, double time_s,
-                     float opacity) {
+void draw_status_bar(const Panel& bar, const Game& game, const HudTimes& times, double time_s, BarLook look) {
   constexpr int kFaceX = 112, kHealthX = 136;
-  bar.picture("sbar", 0, 0, opacity);
-  draw_armor(bar, game);
+  bar.picture("sbar", 0, 0, look.opacity);
+  draw_armor(bar, game, look.safe_colours);
   bar.picture(face_of(game, time_s < times.pain_until_s), kFaceX, 0);
-  const int health = game.stat(Stat::kHealth);
-  bar.number(health, kBarDigits, health <= kLowHealth, kHealthX, 0);
-  draw_ammo(bar, game);
+  draw_number(bar, game.stat(Stat::kHealth), kLowHealth, kHealthX, look.safe_colours);
+  draw_ammo(bar, game, look.safe_colours);
 }
 
 void draw_inventory(const Panel& inventory, const Game& game, const HudTimes& times, double time_s,
-                    float opacity) {
-  inventory.picture("ibar", 0, 0, opacity);
+                    BarLook look) {
+  inventory.picture("ibar", 0, 0, look.opacity);
   draw_weapons(inventory, game, times, time_s);
   draw_ammo_counts(inventory, game);
-  draw_finds(inventory, game);
+  draw_finds(inventory, game, look.safe_colours);
   if (game.deathmatch) draw_leaders(inventory, game);
 }
 

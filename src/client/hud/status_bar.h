@@ -7,12 +7,17 @@
 
 namespace temblor::client {
 
+struct BarLook {
+  float opacity = 1;          // of what the bar stands on
+  bool safe_colours = false;  // marks beside what colours alone tell: warnings, kinds of armour, of keys
+};
+
 // Armour, face, health, ammunition, each with its number. `bar`: of kBarHeight.
-void draw_status_bar(const Panel& bar, const Game& game, const HudTimes& times, double time_s, float opacity);
+void draw_status_bar(const Panel& bar, const Game& game, const HudTimes& times, double time_s, BarLook look);
 
 // Weapons, ammunition of all kinds, keys, power-ups, sigils, and in deathmatch the leaders' frags.
 // `inventory`: of kInventoryHeight.
 void draw_inventory(const Panel& inventory, const Game& game, const HudTimes& times, double time_s,
-                    float opacity);
+                    BarLook look);
 
 }  // namespace temblor::client

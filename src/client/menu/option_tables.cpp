@@ -33,7 +33,7 @@ std::span<const OptionLook> picture_options() {
 }
 
 std::span<const OptionLook> screen_options() {
-  static constexpr std::string_view kCrosshairs[] = {"off", "on"};
+  static constexpr std::string_view kCrosshairs[] = {"off", "cross", "dot", "lines"};
   static constexpr OptionLook kLooks[] = {
       {.variable = "viewsize", .label = "View size", .low = 100, .high = 120, .step = 10},
       {.variable = "scr_scale", .label = "Status bar size", .high = 8, .step = 1, .zero = "auto"},
