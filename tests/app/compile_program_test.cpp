@@ -1,25 +1,17 @@
 // `temblor compile`, as a mapper uses it.
+#include "app/compile_program.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdlib>
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <random>
-#include <thread>
-#include <utility>
 
-#include "app/child_process.h"
 #include "app/program.h"
 #include "artgen/palette.h"
-#include "formats/bsp.h"
 #include "formats/png.h"
-#include "support/effort.h"
 #include "support/game_data.h"
 #include "support/room_map.h"
-#include "support/temporary_folder.h"
 
 namespace temblor::test {
 namespace {
@@ -29,22 +21,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using Words = std::vector<std::string>;
-
-std::string lit_room() {
-  return entity_text("worldspawn", "\"message\" \"A room\"",
-                     walls_text({-128, -128, 0}, {128, 128, 128}, "wall")) +
-         point_text("info_player_start", {0, 0, 32}) +
-         entity_text("light", "\"origin\" \"64 64 96\"\n\"_color\" \"1 0.5 0.25\"");
-}
-
-class CompileProgram : public ::testing::Test {
- protected:
-  formats::Bsp read_level(const std::string& name) {
-    const base::ByteVector bytes = read_file(folder_.path() / name);
-    return formats::read_bsp(bytes).value();
-  }
-  TemporaryFolder folder_;
-};
 
 TEST_F(CompileProgram, MapBecomesALevelThatIsDrawn) {
   folder_.write("room.map", lit_room());
@@ -160,185 +136,6 @@ TEST_F(CompileProgram, LevelWithoutItsMapGetsVisibilityAndLight) {
   EXPECT_EQ(again.lighting, whole.lighting);
   EXPECT_EQ(again.visibility, whole.visibility);
   EXPECT_EQ(read_text(folder_.path() / "again.lit"), read_text(folder_.path() / "room.lit"));
-}
-
-TEST_F(CompileProgram, ShardsMakeTheSameLevel) {
-  folder_.write("room.map", lit_room());
-  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "whole.bsp"}).exit_status, 0);
-  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "--only", "bsp"}).exit_status, 0);
-  const auto run = [&](const Words& words) {
-    Words all{"compile", "room.map", "--only"};
-    all.insert(all.end(), words.begin(), words.end());
-    const ProgramRun done = run_program(folder_.path(), all);
-    EXPECT_EQ(done.exit_status, 0) << done.err;
-    return done;
-  };
-  constexpr int kMostRounds = 7;
-  for (int round = 0; round < kMostRounds; ++round) {
-    run({"vis", "--shard", "2/2"});
-    run({"vis", "--shard", "1/2"});
-    run({"vis", "--merge"});
-  }
-  EXPECT_THAT(run({"vis", "--merge"}).out, HasSubstr("visibility is finished"));
-  for (const char* shard : {"1/3", "2/3", "3/3"}) run({"light", "--shard", shard});
-  run({"light", "--merge"});
-  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), read_text(folder_.path() / "whole.bsp"));
-  EXPECT_EQ(read_text(folder_.path() / "room.lit"), read_text(folder_.path() / "whole.lit"));
-  for (const auto& file : std::filesystem::directory_iterator(folder_.path()))
-    EXPECT_THAT(file.path().filename().string(), Not(HasSubstr("-of-")));
-}
-
-// Rows of pillars, each a little out of line: slow to work out what is seen between them.
-std::string hall_of_pillars(int side) {
-  const double width = side * 64;
-  std::string brushes = walls_text({0, 0, 0}, {width, width, 128}, "wall");
-  std::mt19937 random(1);
-  const auto shift = [&] { return static_cast<double>(random() % 16); };
-  for (int i = 0; i < side * side; ++i) {
-    const math::Vec3d at(i % side * 64 + 16 + shift(), i / side * 64 + 16 + shift(), 0);
-    brushes += box_text(at, at + math::Vec3d(16, 16, 128), "pillar");
-  }
-  return entity_text("worldspawn", "", brushes) + point_text("info_player_start", {8, 8, 40});
-}
-
-TEST_F(CompileProgram, MergeTakesFilesOfSharesAlone) {
-  folder_.write("room.map", lit_room());
-  const std::vector<std::string> others = {"room.light-copy",    "room.light-1-of-2.old", "room.light-0-of-2",
-                                           "room.light-3-of-2",  "room.light-01-of-1",    "room.light-1-of-",
-                                           "room.lights-1-of-1", "my.room.light-1-of-1"};
-  for (const std::string& name : others) folder_.write(name, "no share of light");
-  const ProgramRun none = run_program(folder_.path(), {"compile", "room.map", "--only", "light", "--merge"});
-  EXPECT_EQ(none.exit_status, 1);
-  EXPECT_THAT(none.err, HasSubstr("no shards to merge"));
-  for (const Words& words : {Words{"--shard", "1/1"}, Words{"--merge"}}) {
-    Words all{"compile", "room.map", "--only", "light"};
-    all.insert(all.end(), words.begin(), words.end());
-    const ProgramRun run = run_program(folder_.path(), all);
-    EXPECT_EQ(run.exit_status, 0) << run.err;
-  }
-  for (const std::string& name : others)
-    EXPECT_EQ(read_text(folder_.path() / name), "no share of light") << name;
-}
-
-// What is wrong is not the command line.
-TEST_F(CompileProgram, SharesThatDoNotBelongTogetherAreAFaultOfTheirFiles) {
-  folder_.write("room.map", lit_room());
-  const auto run = [&](const char* stage, const Words& words) {
-    Words all{"compile", "room.map", "--only", stage};
-    all.insert(all.end(), words.begin(), words.end());
-    return run_program(folder_.path(), all);
-  };
-  for (const char* stage : {"vis", "light"}) ASSERT_EQ(run(stage, {"--shard", "1/2"}).exit_status, 0);
-  const std::string more_light = entity_text("light", "\"origin\" \"0 0 64\"");
-  for (const auto& [stage, map] :
-       {std::pair{"vis", hall_of_pillars(2)}, {"light", lit_room() + more_light}}) {
-    folder_.write("room.map", map);
-    const ProgramRun merged = run(stage, {"--merge"});
-    EXPECT_EQ(merged.exit_status, 1) << merged.err;
-    EXPECT_THAT(merged.err, HasSubstr(fmt::format("room.{}-*", stage)));
-    EXPECT_THAT(merged.err, Not(HasSubstr("--help")));
-  }
-}
-
-TEST_F(CompileProgram, WatchCompilesWhatIsSaved) {
-  folder_.write("room.map", lit_room());
-  auto program = app::ChildProcess::start(
-      {TEMBLOR_PROGRAM, "compile", (folder_.path() / "room.map").string(), "--watch", "--fast"});
-  ASSERT_TRUE(program.ok()) << program.error().message();
-  const auto wait_for = [&](const std::function<bool()>& is_so) {
-    constexpr std::chrono::seconds kAtMost{60};
-    const auto start = std::chrono::steady_clock::now();
-    while (!is_so() && std::chrono::steady_clock::now() - start < kAtMost)
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    return is_so();
-  };
-  const auto has = [&](const char* text) {
-    return std::filesystem::exists(folder_.path() / "room.bsp") &&
-           read_level("room.bsp").entities.find(text) != std::string::npos;
-  };
-  ASSERT_TRUE(wait_for([&] { return has("A room"); }));
-  folder_.write("room.map", lit_room() + "{");  // told, and not the end
-  std::this_thread::sleep_for(std::chrono::milliseconds(400));
-  folder_.write("room.map", lit_room() + point_text("monster_ogre", {50, 0, 30}));
-  EXPECT_TRUE(wait_for([&] { return has("monster_ogre"); }));
-}
-
-TEST_F(CompileProgram, WatchMakesEverythingAnewWhenAsked) {
-  folder_.write("room.map", lit_room());
-  const std::string wait_for_runs =
-      "for i in $(seq 300); do [ $(grep -c room.bsp: log) -ge {} ] && break; sleep 0.1; done; ";
-  const std::string command = fmt::format("cd '{}' && ('{}' compile room.map --watch --clean >log 2>&1 & ",
-                                          folder_.path().string(), TEMBLOR_PROGRAM) +
-                              fmt::format(fmt::runtime(wait_for_runs), 1) + "touch room.map; " +
-                              fmt::format(fmt::runtime(wait_for_runs), 2) + "kill $!)";
-  ASSERT_EQ(std::system(command.c_str()), 0);
-  const std::string log = read_text(folder_.path() / "log");
-  EXPECT_THAT(log, ContainsRegex("room.bsp:.*\n(.*\n)*room.bsp:")) << "two runs";
-  EXPECT_THAT(log, Not(HasSubstr("unchanged")));
-}
-
-TEST_F(CompileProgram, StoppedVisibilityGoesOn) {
-  folder_.write("hall.map", lit_room());
-  ASSERT_EQ(run_program(folder_.path(), {"compile", "hall.map"}).exit_status, 0);
-  const std::string old_level = read_text(folder_.path() / "hall.bsp");
-  folder_.write("hall.map", hall_of_pillars(effort(14, 10)));
-  const std::string map = (folder_.path() / "hall.map").string();
-  const auto exists = [&](const char* name) { return std::filesystem::exists(folder_.path() / name); };
-  // Stopped before visibility begins nothing is saved: then later.
-  for (int wait_ms = 100; wait_ms < 10'000 && !exists("hall.visibility"); wait_ms += wait_ms / 2) {
-    auto program =
-        app::ChildProcess::start({TEMBLOR_PROGRAM, "compile", map, "--no-light", "--threads", "1"});
-    ASSERT_TRUE(program.ok()) << program.error().message();
-    std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
-  }
-  ASSERT_TRUE(exists("hall.visibility"));
-  ASSERT_EQ(read_text(folder_.path() / "hall.bsp"), old_level)
-      << "it was finished before it could be stopped";
-  // The old level has lost nothing.
-  folder_.write("room.map", lit_room());
-  const ProgramRun back = run_program(folder_.path(), {"compile", "room.map", "-o", "hall.bsp"});
-  EXPECT_THAT(back.out, ContainsRegex("light +unchanged"));
-  ASSERT_TRUE(exists("hall.visibility"));
-  ASSERT_EQ(run_program(folder_.path(), {"compile", "hall.map", "--no-light"}).exit_status, 0);
-  EXPECT_FALSE(exists("hall.visibility"));
-  ASSERT_EQ(run_program(folder_.path(), {"compile", "hall.map", "--no-light", "--clean", "-o", "whole.bsp"})
-                .exit_status,
-            0);
-  EXPECT_EQ(read_text(folder_.path() / "hall.bsp"), read_text(folder_.path() / "whole.bsp"));
-}
-
-TEST_F(CompileProgram, WatchEndsWhenVisibilityIsStopped) {
-  folder_.write("hall.map", hall_of_pillars(effort(14, 10)));
-  const std::string map = (folder_.path() / "hall.map").string();
-  const auto exists = [&](const char* name) { return std::filesystem::exists(folder_.path() / name); };
-  for (int wait_ms = 100; wait_ms < 10'000 && !exists("hall.visibility"); wait_ms += wait_ms / 2) {
-    auto program = app::ChildProcess::start(
-        {TEMBLOR_PROGRAM, "compile", map, "--watch", "--no-light", "--threads", "1"});
-    ASSERT_TRUE(program.ok()) << program.error().message();
-    std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
-  }  // its destructor waits for the end
-  EXPECT_TRUE(exists("hall.visibility"));
-  EXPECT_FALSE(exists("hall.bsp")) << "it was finished before it could be stopped";
-}
-
-// The script in docs/, with processes in place of machines.
-TEST_F(CompileProgram, ScriptForGnuParallelMakesTheSameLevel) {
-  if (std::system("command -v parallel >/dev/null") != 0) GTEST_SKIP() << "GNU parallel is not installed";
-  folder_.write("room.map", lit_room());
-  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "whole.bsp"}).exit_status, 0);
-  std::filesystem::create_directory(folder_.path() / "my programs");
-  std::filesystem::create_symlink(TEMBLOR_PROGRAM, folder_.path() / "my programs/temblor 1");
-  for (const char* program :
-       {TEMBLOR_PROGRAM, "./my programs/temblor 1", TEMBLOR_PROGRAM " --set r_mip_rule=stock"}) {
-    const std::string command =
-        fmt::format("cd '{}' && TEMBLOR='{}' '{}/compile_with_parallel.sh' 2 room.map >log 2>&1",
-                    folder_.path().string(), program, TEMBLOR_DOCS);
-    ASSERT_EQ(std::system(command.c_str()), 0) << program << read_text(folder_.path() / "log");
-    EXPECT_EQ(read_text(folder_.path() / "room.bsp"), read_text(folder_.path() / "whole.bsp"));
-    EXPECT_EQ(read_text(folder_.path() / "room.lit"), read_text(folder_.path() / "whole.lit"));
-    for (const char* file : {"room.bsp", "room.lit", "room.build"})
-      std::filesystem::remove(folder_.path() / file);
-  }
 }
 
 TEST_F(CompileProgram, WhatIsWrongIsOneLine) {
