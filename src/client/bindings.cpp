@@ -154,31 +154,30 @@ std::string Bindings::to_text() const {
 void add_binding_commands(command::Console& io_console, Bindings& io_bindings,
                           command::Console::Output print) {
   using Arguments = command::Console::Arguments;
-  const auto key_of = [print](const std::string& name) {
+  const auto key_of = [&io_console](const std::string& name) {
     const std::optional<Key> key = find_key(name);
-    if (!key) print(fmt::format("there is no key \"{}\"", base::quotable(name)));
+    if (!key) io_console.print_error(fmt::format("there is no key \"{}\"", base::quotable(name)));
     return key;
   };
-  io_console.add_command("bind", "bind KEY \"COMMANDS\" has a key run them; bind KEY says what it runs.",
-                         [&io_bindings, print, key_of](Arguments arguments) {
-                           if (arguments.size() < 2)
-                             return print("bind KEY \"COMMANDS\": name a key (w, SPACE, MOUSE1, ...)");
-                           const std::optional<Key> key = key_of(arguments[1]);
-                           if (!key) return;
-                           if (arguments.size() == 2) {
-                             const std::string& commands = io_bindings.commands(*key);
-                             return print(commands.empty()
-                                              ? fmt::format("\"{}\" does nothing", arguments[1])
-                                              : fmt::format("\"{}\" = \"{}\"", arguments[1], commands));
-                           }
-                           std::string commands = arguments[2];
-                           for (const std::string& word : arguments.subspan(3))
-                             commands += fmt::format(" {}", word);
-                           io_bindings.bind(*key, commands);
-                         });
+  io_console.add_command(
+      "bind", "bind KEY \"COMMANDS\" has a key run them; bind KEY says what it runs.",
+      [&io_console, &io_bindings, print, key_of](Arguments arguments) {
+        if (arguments.size() < 2)
+          return io_console.print_error("bind KEY \"COMMANDS\": name a key (w, SPACE, MOUSE1, ...)");
+        const std::optional<Key> key = key_of(arguments[1]);
+        if (!key) return;
+        if (arguments.size() == 2) {
+          const std::string& commands = io_bindings.commands(*key);
+          return print(commands.empty() ? fmt::format("\"{}\" does nothing", arguments[1])
+                                        : fmt::format("\"{}\" = \"{}\"", arguments[1], commands));
+        }
+        std::string commands = arguments[2];
+        for (const std::string& word : arguments.subspan(3)) commands += fmt::format(" {}", word);
+        io_bindings.bind(*key, commands);
+      });
   io_console.add_command("unbind", "unbind KEY takes from a key what it runs.",
-                         [&io_bindings, print, key_of](Arguments arguments) {
-                           if (arguments.size() < 2) return print("unbind KEY: name a key");
+                         [&io_console, &io_bindings, key_of](Arguments arguments) {
+                           if (arguments.size() < 2) return io_console.print_error("unbind KEY: name a key");
                            if (const std::optional<Key> key = key_of(arguments[1]))
                              io_bindings.bind(*key, "");
                          });

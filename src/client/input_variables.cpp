@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <optional>
+
+#include "command/text.h"
 
 namespace temblor::client {
 
@@ -90,37 +92,36 @@ InputSettings InputVariables::read(const command::Variables& v) const {
 
 namespace {
 
-int number_of(std::string_view word) {
-  int number = 0;
-  std::from_chars(word.data(), word.data() + word.size(), number);
-  return number;
+// Which key holds a button down; one that is told wrongly is key 0, as one that is not told.
+int holder_of(command::Console::Arguments arguments) {
+  const auto number = arguments.size() > 1 ? command::parse_whole_number(arguments[1]) : std::nullopt;
+  return static_cast<int>(number.value_or(0));
 }
 
 }  // namespace
 
-void add_input_commands(command::Console& io_console, PlayerInput& io_input, const double& event_time_s,
-                        command::Console::Output print) {
+void add_input_commands(command::Console& io_console, PlayerInput& io_input, const double& event_time_s) {
   using Arguments = command::Console::Arguments;
   for (std::size_t i = 0; i < kButtons; ++i) {
     const Button button{static_cast<std::uint8_t>(i)};
     const auto [name, help] = name_of(button);
-    const auto holder_of = [](Arguments arguments) {
-      return arguments.size() > 1 ? number_of(arguments[1]) : 0;
-    };
     io_console.add_command(fmt::format("+{}", name), help,
-                           [&io_input, &event_time_s, button, holder_of](Arguments arguments) {
+                           [&io_input, &event_time_s, button](Arguments arguments) {
                              io_input.buttons()[button].press(holder_of(arguments), event_time_s);
                            });
     io_console.add_command(fmt::format("-{}", name), fmt::format("Ends +{}.", name),
-                           [&io_input, &event_time_s, button, holder_of](Arguments arguments) {
+                           [&io_input, &event_time_s, button](Arguments arguments) {
                              io_input.buttons()[button].release(holder_of(arguments), event_time_s);
                            });
   }
-  io_console.add_command("impulse", "impulse N tells the game's code a number: 1 to 8 choose weapons.",
-                         [&io_input, print](Arguments arguments) {
-                           if (arguments.size() != 2) return print("impulse N: 0 to 255");
-                           io_input.set_impulse(static_cast<std::uint8_t>(number_of(arguments[1])));
-                         });
+  io_console.add_command(
+      "impulse", "impulse N tells the game's code a number: 1 to 8 choose weapons.",
+      [&io_console, &io_input](Arguments arguments) {
+        const auto number = arguments.size() == 2 ? command::parse_whole_number(arguments[1]) : std::nullopt;
+        if (!number || *number < 0 || *number > 255)
+          return io_console.print_error("impulse N: a number from 0 to 255");
+        io_input.set_impulse(static_cast<std::uint8_t>(*number));
+      });
   io_console.add_command("centerview", "Looks straight ahead again.",
                          [&io_input](Arguments) { io_input.center_view(); });
   io_console.add_command("force_centerview", "Looks straight ahead at once.", [&io_input](Arguments) {

@@ -22,7 +22,6 @@ class InputVariables {
 
 // +forward and -forward and so on, impulse, centerview, force_centerview. `event_time_s` is when what runs
 // the command happened; both it and `io_input` must outlive the console.
-void add_input_commands(command::Console& io_console, PlayerInput& io_input, const double& event_time_s,
-                        command::Console::Output print);
+void add_input_commands(command::Console& io_console, PlayerInput& io_input, const double& event_time_s);
 
 }  // namespace temblor::client

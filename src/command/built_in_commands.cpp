@@ -28,11 +28,12 @@ void Console::alias_command(Arguments arguments) {
   const std::string name = base::to_lower(arguments[1]);
   if (arguments.size() == 2) {
     const auto found = aliases_.find(name);
-    return print(found == aliases_.end() ? fmt::format("there is no alias \"{}\"", base::quotable(name))
-                                         : fmt::format("{}: {}", name, found->second));
+    if (found == aliases_.end())
+      return print_error(fmt::format("there is no alias \"{}\"", base::quotable(name)));
+    return print(fmt::format("{}: {}", name, found->second));
   }
   if (commands_.contains(name) || variables_.find(name) != nullptr)
-    return print(fmt::format("\"{}\" is a command or variable and cannot be an alias", arguments[1]));
+    return print_error(fmt::format("\"{}\" is a command or variable and cannot be an alias", arguments[1]));
   // A single word is what was quoted as a whole: commands. Several words are one command.
   aliases_[name] = arguments.size() == 3
                        ? arguments[2]
@@ -40,9 +41,10 @@ void Console::alias_command(Arguments arguments) {
 }
 
 void Console::unalias_command(Arguments arguments) {
+  if (arguments.size() < 2) return print_error("unalias NAME: name an alias; `alias` lists them");
   for (const std::string& name : arguments.subspan(1))
     if (aliases_.erase(base::to_lower(name)) == 0)
-      print(fmt::format("there is no alias \"{}\"", base::quotable(name)));
+      print_error(fmt::format("there is no alias \"{}\"", base::quotable(name)));
 }
 
 void Console::unaliasall_command(Arguments) {
@@ -59,11 +61,14 @@ void Console::echo_command(Arguments arguments) {
 }
 
 void Console::exec_command(Arguments arguments) {
-  if (arguments.size() != 2) return print("exec FILE: name one file");
-  if (loader_ == nullptr) return print("exec: there are no files here");
+  if (arguments.size() != 2) return print_error("exec FILE: name one file");
+  if (loader_ == nullptr) return print_error("exec: there are no files here");
   const base::Result<std::string> text = loader_(arguments[1]);
-  if (!text.ok()) return print(text.error().message());
-  if (may_expand(arguments[1], *text)) insert(*text);
+  if (!text.ok()) return print_error(text.error().message());
+  if (!may_expand(arguments[1], *text)) return;
+  // Not of those that a file names: a person asked for the first one.
+  if (!is_in_file()) print(fmt::format("exec {}", base::quotable(arguments[1])));
+  insert(*text, {.place = {.file = arguments[1]}, .has_lines = true});
 }
 
 }  // namespace temblor::command

@@ -41,7 +41,7 @@ void Console::add_member(std::string_view name, std::string_view help, Member me
 
 bool Console::has_room_for(std::string_view text) const {
   if (text_.size() - done_ + text.size() + 1 <= kMaxPendingChars) return true;
-  print(fmt::format("too many commands are waiting: {} characters refused", text.size()));
+  print_error(fmt::format("too many commands are waiting: {} characters refused", text.size()));
   return false;
 }
 
@@ -49,22 +49,39 @@ void Console::append(std::string_view text) {
   if (has_room_for(text)) text_ += fmt::format("{}\n", text);
 }
 
-void Console::insert(std::string_view text) {
+void Console::insert(std::string_view text, Part part) {
   if (!has_room_for(text)) return;
   text_.replace(0, done_, fmt::format("{}\n", text));
   done_ = 0;
+  // One that called this in its last command is done with: aliases that call themselves pile up nothing.
+  while (!parts_.empty() && parts_.back().left_chars == 0) parts_.pop_back();
+  part.left_chars = text.size() + 1;
+  parts_.push_back(std::move(part));
+}
+
+std::string Console::take_command() {
+  const std::string_view pending = std::string_view(text_).substr(done_);
+  const std::size_t length = command_length(pending);
+  std::string command(pending.substr(0, length));
+  const bool ends_line = length < pending.size() && pending[length] == '\n';
+  const std::size_t taken = std::min(length + 1, pending.size());
+  done_ += taken;
+  while (!parts_.empty() && parts_.back().left_chars == 0) parts_.pop_back();
+  place_ = {};
+  if (parts_.empty()) return command;
+  Part& part = parts_.back();
+  place_ = part.place;
+  part.left_chars -= std::min(taken, part.left_chars);
+  if (part.has_lines && ends_line) ++part.place.line;
+  return command;
 }
 
 void Console::run() {
   waiting_ = false;
   expansions_ = 0;
   expanded_chars_ = 0;
-  while (has_pending() && !waiting_) {
-    const std::string_view pending = std::string_view(text_).substr(done_);
-    const std::string command(pending.substr(0, command_length(pending)));
-    done_ = std::min(done_ + command.size() + 1, text_.size());
-    execute(command);
-  }
+  while (has_pending() && !waiting_) execute(take_command());
+  place_ = {};
   // Only now and then, so that a text of many waits is not moved for each of them.
   if (done_ * 2 < text_.size()) return;
   text_.erase(0, done_);
@@ -78,11 +95,11 @@ void Console::execute(std::string_view command) {
   if (const auto found = commands_.find(name); found != commands_.end()) {
     found->second.run(words);
   } else if (const auto alias = aliases_.find(name); alias != aliases_.end()) {
-    if (may_expand(words[0], alias->second)) insert(alias->second);
+    if (may_expand(words[0], alias->second)) insert(alias->second, {.place = place_});
   } else if (const Variable* variable = variables_.find(name); variable != nullptr) {
     variable_command(*variable, words);
   } else {
-    print(fmt::format("unknown command \"{}\"", base::quotable(words[0])));
+    print_error(fmt::format("unknown command \"{}\"", base::quotable(words[0])));
   }
 }
 
@@ -91,15 +108,21 @@ bool Console::may_expand(std::string_view name, std::string_view text) {
   if (++expansions_ <= kMaxExpansions && expanded_chars_ <= kMaxExpandedChars) return true;
   const std::string what = expansions_ > kMaxExpansions ? fmt::format("{} aliases and files", kMaxExpansions)
                                                         : fmt::format("{} characters", kMaxExpandedChars);
-  print(fmt::format("\"{}\": more than {} in a row, one must call itself; the rest is dropped",
-                    base::quotable(name), what));
+  print_error(fmt::format("\"{}\": more than {} in a row, one must call itself; the rest is dropped",
+                          base::quotable(name), what));
   text_.clear();
   done_ = 0;
+  parts_.clear();
   return false;
 }
 
+void Console::print_error(std::string_view line) const {
+  if (!is_in_file()) return print(line);
+  print(fmt::format("{}:{}: {}", base::quotable(place_.file), place_.line, line));
+}
+
 void Console::print_if_error(const base::Status& status) const {
-  if (!status.ok()) print(status.error().message());
+  if (!status.ok()) print_error(status.error().message());
 }
 
 }  // namespace temblor::command

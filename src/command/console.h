@@ -2,7 +2,8 @@
 // share nothing but the variables they are given.
 //
 // A command's first word is looked up, without regard to case, as a command, then as an alias, then as a
-// variable ("NAME" prints it, "NAME VALUE" sets it); anything else gives one line that says so.
+// variable ("NAME" prints it, "NAME VALUE" sets it); anything else gives one line that says so. What is wrong
+// with a command of a file is told with the file's name and the line: "server.cfg:12: ...".
 #pragma once
 
 #include <cstddef>
@@ -59,6 +60,12 @@ class Console {
   // pending text.
   void execute(std::string_view command);
 
+  // Prints what is wrong with the command that runs, with the place it has in a file. Commands from outside
+  // tell their errors by it.
+  void print_error(std::string_view line) const;
+  // Whether the command that runs is written in a file, and not typed.
+  bool is_in_file() const { return !place_.file.empty(); }
+
   // Commands, aliases and variables whose names start so (without regard to case), sorted by name.
   std::vector<Candidate> candidates(std::string_view prefix) const;
   // The same, their names only.
@@ -73,6 +80,18 @@ class Console {
     std::string help;
     Command run;
     ArgumentList arguments;  // may be null
+  };
+  // Where a command is written: in a file of that name; lines are counted from 1.
+  struct Place {
+    std::string file;  // empty: in no file
+    std::size_t line = 1;
+  };
+  // A part of the pending text that an alias or a file expanded to; it begins where the part in front of it
+  // ends, the first one at done_.
+  struct Part {
+    Place place;                 // of an alias: where it was called
+    bool has_lines = false;      // of its own: a file
+    std::size_t left_chars = 0;  // that were not run
   };
   // Which names a list is of.
   struct Kinds {
@@ -89,7 +108,9 @@ class Console {
   void complete_argument(Arguments words, std::string_view prefix, Completion& io_completion) const;
   // Whether `text` may join what is pending; if not, says so.
   bool has_room_for(std::string_view text) const;
-  void insert(std::string_view text);
+  void insert(std::string_view text, Part part);
+  // The next pending command, and place_ with it.
+  std::string take_command();
   // Whether another alias or file, of that text, may be opened; if not, says so and drops what is pending.
   bool may_expand(std::string_view name, std::string_view text);
   void print(std::string_view line) const { output_(line); }
@@ -122,6 +143,8 @@ class Console {
   std::map<std::string, std::string, std::less<>> aliases_;         // name in lower case to text
   std::string text_;  // pending commands, behind done_ characters that were run
   std::size_t done_ = 0;
+  std::vector<Part> parts_;  // the first part last; what is behind them was appended
+  Place place_;              // of the command that runs
   bool waiting_ = false;
   int expansions_ = 0;  // since run() began
   std::size_t expanded_chars_ = 0;

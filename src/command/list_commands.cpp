@@ -14,6 +14,8 @@ namespace {
 std::string line_of(const Candidate& candidate) {
   if (candidate.kind == CandidateKind::kAlias)
     return fmt::format("{}: an alias of {}", candidate.name, base::quotable(candidate.value));
+  // Many begin with the name, as what is typed.
+  if (candidate.help.starts_with(candidate.name + " ")) return candidate.help;
   return fmt::format("{}: {}", candidate.name, candidate.help);
 }
 
@@ -32,7 +34,8 @@ std::string count_line(std::size_t count, std::string_view noun, std::string_vie
 
 void Console::add_list_commands() {
   constexpr Kinds kAll, kNothing{.commands = false, .aliases = false, .variables = false};
-  add_member("help", "help NAME says what a command or variable is for.", &Console::help_command, kAll);
+  add_member("help", "help NAME says what a command or variable is for; help lists the commands.",
+             &Console::help_command, kAll);
   add_member("apropos", "apropos WORD lists what has the word in its name or help.",
              &Console::apropos_command, kNothing);
   add_member("find", "find WORD is the same as apropos.", &Console::apropos_command, kNothing);
@@ -46,8 +49,12 @@ void Console::add_list_commands() {
 }
 
 void Console::help_command(Arguments arguments) {
-  if (arguments.size() != 2)
-    return print("help NAME: name one command or variable; list names them all, apropos WORD searches");
+  if (arguments.size() == 1) {
+    for (const Candidate& command : candidates_of({.aliases = false, .variables = false}, ""))
+      if (!command.name.starts_with('-')) print(line_of(command));  // those only end what a key began
+    return print("help NAME: more on a command or variable; cvarlist: all variables; apropos WORD: a search");
+  }
+  if (arguments.size() != 2) return print_error("help NAME: name one command or variable");
   const std::string name = base::to_lower(arguments[1]);
   if (const auto command = commands_.find(name); command != commands_.end())
     print(command->second.help);
@@ -57,12 +64,13 @@ void Console::help_command(Arguments arguments) {
     print(fmt::format("{} Takes {}; {} by default.", variable->help, describe_values(*variable),
                       variable->default_text));
   else
-    print(fmt::format("there is no command or variable \"{}\"", base::quotable(arguments[1])));
+    print_error(fmt::format("there is no command or variable \"{}\"; `help` lists the commands",
+                            base::quotable(arguments[1])));
 }
 
 void Console::apropos_command(Arguments arguments) {
   if (arguments.size() != 2 || arguments[1].empty())
-    return print(fmt::format("{} WORD: give one word to look for", arguments[0]));
+    return print_error(fmt::format("{} WORD: give one word to look for", arguments[0]));
   const std::string word = base::to_lower(arguments[1]);
   std::size_t found = 0;
   for (const Candidate& candidate : candidates("")) {

@@ -1,6 +1,8 @@
 #include "command/text.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 namespace temblor::command {
 namespace {
@@ -11,6 +13,15 @@ bool is_space(char c) {
 
 bool comment_starts(std::string_view text, std::size_t position) {
   return text.substr(position, 2) == "//";
+}
+
+template <typename Number>
+std::optional<Number> parse(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  Number number{};
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
 }
 
 bool needs_quotes(std::string_view word) {
@@ -55,6 +66,15 @@ std::vector<std::string> split_words(std::string_view command) {
     words.emplace_back(command.substr(begin, end - begin));
   }
   return words;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  const std::optional<double> number = parse<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::optional<std::int64_t> parse_whole_number(std::string_view text) {
+  return parse<std::int64_t>(text);
 }
 
 std::string join_words(const std::vector<std::string>& words) {

@@ -4,6 +4,8 @@
 // and braces are ordinary characters, and a ';' in a comment ends nothing.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +19,11 @@ std::size_t command_length(std::string_view text);
 // The words of one command; quotes are taken off, so a word may be empty. A quote that is never closed ends
 // with the text.
 std::vector<std::string> split_words(std::string_view command);
+
+// A number that is all of the text, a '+' before it allowed; nothing for other text, and for what is not
+// finite or does not fit.
+std::optional<double> parse_number(std::string_view text);
+std::optional<std::int64_t> parse_whole_number(std::string_view text);
 
 // One text that splits into these words again, as far as quoting allows: a quote or newline inside a word is
 // left out.

@@ -2,24 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "base/text.h"
 #include "command/console.h"
+#include "command/text.h"
 
 namespace temblor::command {
 
 namespace {
-
-std::optional<double> parse_step(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double step = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), step);
-  if (failure != std::errc{} || end != text.data() + text.size() || !std::isfinite(step)) return std::nullopt;
-  return step;
-}
 
 bool is_number(const Variable& variable) {
   return variable.type == VariableType::kInt || variable.type == VariableType::kFloat;
@@ -53,7 +45,7 @@ void Console::add_variable_commands() {
 
 const Variable* Console::find_variable(std::string_view name) const {
   const Variable* const variable = variables_.find(name);
-  if (variable == nullptr) print(fmt::format("there is no variable \"{}\"", base::quotable(name)));
+  if (variable == nullptr) print_error(fmt::format("there is no variable \"{}\"", base::quotable(name)));
   return variable;
 }
 
@@ -66,12 +58,12 @@ void Console::variable_command(const Variable& variable, Arguments arguments) {
 
 void Console::set_command(Arguments arguments) {
   if (arguments.size() != 3)
-    return print(fmt::format("{} NAME VALUE: name a variable and its value", arguments[0]));
+    return print_error(fmt::format("{} NAME VALUE: name a variable and its value", arguments[0]));
   print_if_error(variables_.set(arguments[1], arguments[2]));
 }
 
 void Console::toggle_command(Arguments arguments) {
-  if (arguments.size() != 2) return print("toggle NAME: name one variable");
+  if (arguments.size() != 2) return print_error("toggle NAME: name one variable");
   const Variable* const variable = find_variable(arguments[1]);
   if (variable == nullptr) return;
   if (variable->type == VariableType::kBool) {
@@ -80,13 +72,14 @@ void Console::toggle_command(Arguments arguments) {
     const std::size_t next = (static_cast<std::size_t>(variable->number) + 1) % variable->choices.size();
     print_if_error(variables_.set(variable->name, variable->choices[next]));
   } else {
-    print(fmt::format("\"{}\" has no fixed values to go through", variable->name));
+    print_error(fmt::format("\"{}\" has no fixed values to go through", variable->name));
   }
 }
 
 // A value that is none of them is followed by the first.
 void Console::cycle_command(Arguments arguments) {
-  if (arguments.size() < 3) return print("cycle NAME VALUES: name a variable and the values to go through");
+  if (arguments.size() < 3)
+    return print_error("cycle NAME VALUES: name a variable and the values to go through");
   const Variable* const variable = find_variable(arguments[1]);
   if (variable == nullptr) return;
   const Arguments values = arguments.subspan(2);
@@ -98,17 +91,18 @@ void Console::cycle_command(Arguments arguments) {
 
 void Console::inc_command(Arguments arguments) {
   if (arguments.size() != 2 && arguments.size() != 3)
-    return print("inc NAME STEP: name one variable, and what to add to it");
+    return print_error("inc NAME STEP: name one variable, and what to add to it");
   const Variable* const variable = find_variable(arguments[1]);
   if (variable == nullptr) return;
-  const std::optional<double> step = arguments.size() == 3 ? parse_step(arguments[2]) : 1.0;
-  if (!step) return print(fmt::format("inc: \"{}\" is not a number", base::quotable(arguments[2])));
-  if (!is_number(*variable)) return print(fmt::format("\"{}\" is not a number", variable->name));
+  const std::optional<double> step = arguments.size() == 3 ? parse_number(arguments[2]) : 1.0;
+  if (!step) return print_error(fmt::format("inc: \"{}\" is not a number", base::quotable(arguments[2])));
+  if (!is_number(*variable)) return print_error(fmt::format("\"{}\" is not a number", variable->name));
   const double sum = std::clamp(variable->number + *step, variable->min, variable->max);
   print_if_error(variables_.set(variable->name, number_text(*variable, sum)));
 }
 
 void Console::reset_command(Arguments arguments) {
+  if (arguments.size() < 2) return print_error("reset NAME: name a variable; resetall resets all");
   for (const std::string& name : arguments.subspan(1)) print_if_error(variables_.reset(name));
 }
 

@@ -37,7 +37,8 @@ std::optional<Parsed> parse_number(const Variable& variable, std::string_view te
   if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   const auto value = static_cast<double>(number);
   // Written so that a value that is no number fails as well.
-  if (!(value >= variable.min && value <= variable.max)) return std::nullopt;
+  const bool is_in_range = value >= variable.min && value <= variable.max;
+  if (!is_in_range && !(variable.allows_zero && value == 0)) return std::nullopt;
   return Parsed{value, fmt::format("{}", number)};
 }
 
@@ -62,6 +63,21 @@ std::optional<Parsed> parse_value(const Variable& variable, std::string_view tex
       break;
   }
   return Parsed{0, std::string(text)};
+}
+
+Variable int_variable(std::string_view name, std::int64_t value, std::int64_t min, std::int64_t max,
+                      std::string_view help) {
+  // Numbers are kept as double, which holds integers up to 2^53 exactly.
+  constexpr std::int64_t kExact = std::int64_t{1} << 53;
+  CHECK(min >= -kExact && max <= kExact, "{}", name);
+  Variable variable;
+  variable.name = name;
+  variable.type = VariableType::kInt;
+  variable.default_text = fmt::format("{}", value);
+  variable.help = help;
+  variable.min = static_cast<double>(min);
+  variable.max = static_cast<double>(max);
+  return variable;
 }
 
 base::Error unknown_variable(std::string_view name) {
@@ -94,16 +110,13 @@ VariableIndex Variables::add_bool(std::string_view name, bool value, std::string
 
 VariableIndex Variables::add_int(std::string_view name, std::int64_t value, std::int64_t min,
                                  std::int64_t max, std::string_view help) {
-  // Numbers are kept as double, which holds integers up to 2^53 exactly.
-  constexpr std::int64_t kExact = std::int64_t{1} << 53;
-  CHECK(min >= -kExact && max <= kExact, "{}", name);
-  Variable variable;
-  variable.name = name;
-  variable.type = VariableType::kInt;
-  variable.default_text = fmt::format("{}", value);
-  variable.help = help;
-  variable.min = static_cast<double>(min);
-  variable.max = static_cast<double>(max);
+  return add(int_variable(name, value, min, max, help));
+}
+
+VariableIndex Variables::add_int_or_zero(std::string_view name, std::int64_t value, std::int64_t min,
+                                         std::int64_t max, std::string_view help) {
+  Variable variable = int_variable(name, value, min, max, help);
+  variable.allows_zero = true;
   return add(std::move(variable));
 }
 
@@ -216,7 +229,7 @@ std::string describe_values(const Variable& variable) {
       return "0 or 1";
     case VariableType::kInt:
     case VariableType::kFloat:
-      return fmt::format("a{} from {} to {}",
+      return fmt::format("{}a{} from {} to {}", variable.allows_zero ? "0 or " : "",
                          variable.type == VariableType::kInt ? " whole number" : " number", variable.min,
                          variable.max);
     case VariableType::kChoice:

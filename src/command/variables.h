@@ -26,6 +26,7 @@ struct Variable {
   std::string text;                  // the value, always acceptable to set()
   std::string help;                  // one sentence
   double min = 0, max = 0;           // kInt and kFloat: the values allowed, ends included
+  bool allows_zero = false;          // kInt: besides those
   std::vector<std::string> choices;  // kChoice: the values allowed
   double number = 0;                 // kBool: 0 or 1; kInt, kFloat: the value; kChoice: position in choices
   std::uint64_t version = 0;         // Variables::version() just after the last change; 0: never changed
@@ -37,6 +38,9 @@ class Variables {
   VariableIndex add_bool(std::string_view name, bool value, std::string_view help);
   VariableIndex add_int(std::string_view name, std::int64_t value, std::int64_t min, std::int64_t max,
                         std::string_view help);
+  // Allows 0 as well, which says that there is no such bound or the like.
+  VariableIndex add_int_or_zero(std::string_view name, std::int64_t value, std::int64_t min, std::int64_t max,
+                                std::string_view help);
   VariableIndex add_float(std::string_view name, double value, double min, double max, std::string_view help);
   VariableIndex add_text(std::string_view name, std::string_view value, std::string_view help);
   // The default is choices[0].

@@ -46,7 +46,7 @@ base::Status Host::open() {
   TRY(data_, GameData::open(options_.folders));
   take_up_data();
   client::add_binding_commands(console_, bindings_, [this](std::string_view line) { print(line); });
-  client::add_input_commands(console_, input_, event_time_s_, [this](std::string_view line) { print(line); });
+  client::add_input_commands(console_, input_, event_time_s_);
   add_host_commands(*this);
   if (services_.open_audio) sound_.emplace(services_.open_audio);
   TRY_STATUS(configure());

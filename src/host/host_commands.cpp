@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <optional>
 #include <string>
 
 #include "base/text.h"
@@ -18,13 +18,14 @@ using Arguments = command::Console::Arguments;
 
 struct NamedHelp {
   std::string_view name, help;
+  std::size_t least_words = 0;  // behind the name
 };
 
 // Said to the server, on the player's behalf.
 constexpr std::array kPlayerCommands = {
-    NamedHelp{"say", "say WORDS speaks to everybody."},
-    NamedHelp{"say_team", "say_team WORDS speaks to the own side."},
-    NamedHelp{"tell", "tell NAME WORDS speaks to one player."},
+    NamedHelp{"say", "say WORDS speaks to everybody.", 1},
+    NamedHelp{"say_team", "say_team WORDS speaks to the own side.", 1},
+    NamedHelp{"tell", "tell NAME WORDS speaks to one player.", 2},
     NamedHelp{"ping", "Shows how long everybody's way to the server is."},
     NamedHelp{"status", "Shows the level and who plays."},
     NamedHelp{"pause", "Stops time, or lets it go on."},
@@ -33,10 +34,10 @@ constexpr std::array kPlayerCommands = {
     NamedHelp{"notarget", "Monsters do not see the player; again: they do."},
     NamedHelp{"noclip", "Walks through everything; again: not."},
     NamedHelp{"fly", "Flies; again: walks."},
-    NamedHelp{
-        "give",
-        "give h 100: health, armour (a), shells (s), nails (n), rockets (r), cells (c), weapons (2-8)."},
-    NamedHelp{"rcon", "rcon PASSWORD COMMAND runs a command on the server."},
+    NamedHelp{"give",
+              "give h 100: health, armour (a), shells (s), nails (n), rockets (r), cells (c), weapons (2-8).",
+              1},
+    NamedHelp{"rcon", "rcon PASSWORD COMMAND runs a command on the server.", 2},
 };
 
 // Run by the server that runs here.
@@ -56,7 +57,7 @@ constexpr std::array<std::string_view, 8> kMayBeStuffed = {
     "play", "playvol", "stopsound", "centerview", "bf", "cd", "music", "force_centerview"};
 
 void print_error(Host& io_host, const base::Status& status) {
-  if (!status.ok()) io_host.print(status.error().message());
+  if (!status.ok()) io_host.console().print_error(status.error().message());
 }
 
 std::string line_of(Arguments arguments) {
@@ -65,10 +66,11 @@ std::string line_of(Arguments arguments) {
 
 void add_player_commands(Host& io_host) {
   for (const NamedHelp& entry : kPlayerCommands)
-    io_host.console().add_command(entry.name, entry.help, [host = &io_host](Arguments arguments) {
+    io_host.console().add_command(entry.name, entry.help, [host = &io_host, entry](Arguments arguments) {
+      if (arguments.size() <= entry.least_words) return host->console().print_error(entry.help);
       if (client::Connection* const connection = host->session().connection())
         return connection->send_command(line_of(arguments));
-      host->print(fmt::format("{}: not in a game", arguments[0]));
+      host->console().print_error(fmt::format("{}: not in a game", arguments[0]));
     });
 }
 
@@ -77,12 +79,12 @@ void add_server_commands(Host& io_host) {
     io_host.console().add_command(entry.name, entry.help, [host = &io_host](Arguments arguments) {
       if (server::Server* const server = host->session().server())
         return server->console().execute(line_of(arguments));
-      host->print(fmt::format("{}: no game runs here; `map NAME` begins one", arguments[0]));
+      host->console().print_error(fmt::format("{}: no game runs here; `map NAME` begins one", arguments[0]));
     });
 }
 
 void color_command(Host& io_host, Arguments arguments) {
-  if (arguments.size() < 2) return io_host.print("color SHIRT [TROUSERS]: 0 to 13");
+  if (arguments.size() < 2) return io_host.console().print_error("color SHIRT [TROUSERS]: 0 to 13");
   command::Variables& variables = io_host.variables().variables();
   print_error(io_host, variables.set("topcolor", arguments[1]));
   print_error(io_host, variables.set("bottomcolor", arguments[arguments.size() > 2 ? 2 : 1]));
@@ -110,14 +112,26 @@ auto adder(Host& io_host) {
   };
 }
 
-double number_of(const std::string& word) {
-  return std::strtod(word.c_str(), nullptr);
+// The number behind the command's name; nothing where there is none, and says so.
+std::optional<double> told_number(Host& io_host, Arguments arguments) {
+  const auto number = arguments.size() == 2 ? command::parse_number(arguments[1]) : std::nullopt;
+  if (!number) io_host.console().print_error(fmt::format("{}: give one number", arguments[0]));
+  return number;
 }
 
-void demo_command(Host& io_host, Arguments arguments, void (*run)(client::DemoSession&, double number)) {
+// The recording that plays; null where none does, and says so.
+client::DemoSession* playing_demo(Host& io_host, Arguments arguments) {
   if (io_host.demo() == nullptr)
-    return io_host.print(fmt::format("{}: no recording is playing", arguments[0]));
-  run(*io_host.demo(), arguments.size() > 1 ? number_of(arguments[1]) : 0);
+    io_host.console().print_error(fmt::format("{}: no recording is playing", arguments[0]));
+  return io_host.demo();
+}
+
+void seek(Host& io_host, Arguments arguments) {
+  const client::DemoSession* const demo = playing_demo(io_host, arguments);
+  const std::optional<double> number_s = demo == nullptr ? std::nullopt : told_number(io_host, arguments);
+  if (!number_s) return;
+  const bool is_step = arguments[1].starts_with('+') || arguments[1].starts_with('-');
+  print_error(io_host, io_host.seek_demo((is_step ? demo->time_s() : demo->begin_s()) + *number_s));
 }
 
 void add_demo_commands(Host& io_host) {
@@ -125,7 +139,7 @@ void add_demo_commands(Host& io_host) {
   const auto add_named = [&](std::string_view name, std::string_view help,
                              base::Status (Host::*run)(std::string_view)) {
     add(name, help, [run, help](Host& host, Arguments arguments) {
-      if (arguments.size() != 2) return host.print(help);
+      if (arguments.size() != 2) return host.console().print_error(help);
       print_error(host, (host.*run)(arguments[1]));
     });
   };
@@ -139,19 +153,14 @@ void add_demo_commands(Host& io_host) {
       [](Host& host, Arguments) { print_error(host, host.stop_recording()); });
   add("stopdemo", "Leaves the recording that is playing.", [](Host& host, Arguments) { host.stop_demo(); });
   add("demo_pause", "Stops a recording, or lets it go on.", [](Host& host, Arguments arguments) {
-    demo_command(host, arguments, [](client::DemoSession& demo, double) { demo.pause(!demo.is_paused()); });
+    if (client::DemoSession* const demo = playing_demo(host, arguments)) demo->pause(!demo->is_paused());
   });
   add("demo_speed", "demo_speed TIMES: 0.1 to 8.", [](Host& host, Arguments arguments) {
-    demo_command(host, arguments, [](client::DemoSession& demo, double number) { demo.set_speed(number); });
+    client::DemoSession* const demo = playing_demo(host, arguments);
+    const std::optional<double> speed = demo == nullptr ? std::nullopt : told_number(host, arguments);
+    if (speed) demo->set_speed(*speed);
   });
-  add("demo_seek", "demo_seek SECONDS goes to that moment; +SECONDS and -SECONDS on and back.",
-      [](Host& host, Arguments arguments) {
-        if (arguments.size() != 2 || host.demo() == nullptr)
-          return host.print("demo_seek SECONDS, +SECONDS or -SECONDS, while a recording is playing");
-        const bool is_step = arguments[1].starts_with('+') || arguments[1].starts_with('-');
-        const double from_s = is_step ? host.demo()->time_s() : host.demo()->begin_s();
-        print_error(host, host.seek_demo(from_s + number_of(arguments[1])));
-      });
+  add("demo_seek", "demo_seek SECONDS goes to that moment; +SECONDS and -SECONDS on and back.", seek);
 }
 
 void add_screen_commands(Host& io_host) {
@@ -183,7 +192,7 @@ void add_game_commands(Host& io_host) {
   const auto add_named = [&](std::string_view name, std::string_view help,
                              base::Status (Host::*run)(std::string_view)) {
     io_host.console().add_command(name, help, [host = &io_host, run, help](Arguments arguments) {
-      if (arguments.size() != 2) return host->print(help);
+      if (arguments.size() != 2) return host->console().print_error(help);
       print_error(*host, (host->*run)(arguments[1]));
     });
   };
@@ -211,15 +220,17 @@ void add_game_commands(Host& io_host) {
   add("writeconfig", "Saves the settings now instead of at the end.",
       [](Host& host, Arguments) { print_error(host, host.save_configuration()); });
   add("play", "play FILE sounds once: misc/menu1.wav.", [](Host& host, Arguments arguments) {
+    if (arguments.size() < 2) return host.console().print_error("play FILE: name a sound");
     for (const std::string& name : arguments.subspan(1)) host.play_sound(name);
   });
   // Said by games' code to stock clients, which change the track or the view's colour by them.
   for (const char* const name : {"playvol", "stopsound", "cd", "music", "v_cshift"})
     add(name, "Of stock games; does nothing here.", [](Host&, Arguments) {});
   add("cmd", "cmd WORDS says them to the server as they are.", [](Host& host, Arguments arguments) {
-    if (client::Connection* const connection = host.session().connection();
-        connection && arguments.size() > 1)
-      connection->send_command(line_of(arguments.subspan(1)));
+    if (arguments.size() < 2) return host.console().print_error("cmd WORDS: what to say to the server");
+    if (client::Connection* const connection = host.session().connection())
+      return connection->send_command(line_of(arguments.subspan(1)));
+    host.console().print_error("cmd: not in a game");
   });
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -40,12 +39,6 @@ struct Caller {
   }
 };
 
-int whole_number(std::string_view text) {
-  int value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
 // Without characters that would begin another line, or colour this one as the server's.
 std::string one_line(std::string_view text) {
   std::string line(text);
@@ -67,12 +60,15 @@ void name_command(const Caller& caller) {
 }
 
 void color_command(const Caller& caller) {
-  if (caller.words.size() < 2) return;
-  const int shirt = std::clamp(whole_number(caller.words[1]), 0, kMostColor);
-  const int pants =
-      caller.words.size() > 2 ? std::clamp(whole_number(caller.words[2]), 0, kMostColor) : shirt;
+  const auto color_of = [&](std::size_t i) {
+    const std::optional<std::int64_t> number = command::parse_whole_number(caller.words[i]);
+    return number ? std::optional(std::clamp<std::int64_t>(*number, 0, kMostColor)) : std::nullopt;
+  };
+  const std::size_t words = caller.words.size();
+  const auto shirt = words > 1 ? color_of(1) : std::nullopt, pants = words > 2 ? color_of(2) : shirt;
+  if (!shirt || !pants) return caller.print(fmt::format("color SHIRT [TROUSERS]: 0 to {}\n", kMostColor));
   Client& client = caller.client();
-  client.colors = static_cast<std::uint8_t>(shirt << 4 | pants);
+  client.colors = static_cast<std::uint8_t>(*shirt << 4 | *pants);
   if (client.is_in_game() &&
       !caller.server.game()->set_player_look(caller.slot, client.name, client.colors).ok())
     client.doom = "there is no memory for its name";
@@ -166,13 +162,18 @@ void give_command(const Caller& caller) {
     return caller.print("give 2 to 8, or h, s, n, r, c, a N\n");
   // Shotgun, super shotgun, nailgun, super nailgun, grenade and rocket launcher, lightning.
   constexpr std::array<int, 7> kWeapons = {1, 2, 4, 8, 16, 32, 64};
+  constexpr std::string_view kAmounts = "hsnrca";
   const Edict edict = caller.edict();
   const char what = caller.words[1][0];
   if (what >= '2' && what <= '8') {
     const int weapon = kWeapons[static_cast<std::size_t>(what - '2')];
     return edict.set(field::kItems, static_cast<float>(edict.whole(field::kItems) | weapon));
   }
-  const auto amount = static_cast<float>(caller.words.size() > 2 ? whole_number(caller.words[2]) : 0);
+  const auto number = caller.words.size() > 2 ? command::parse_whole_number(caller.words[2]) : std::nullopt;
+  if (kAmounts.find(what) == std::string_view::npos)
+    return caller.print(fmt::format("there is nothing \"{}\" to give\n", base::quotable(caller.words[1])));
+  if (!number) return caller.print(fmt::format("give {} NUMBER: how much\n", what));
+  const auto amount = static_cast<float>(*number);
   switch (what) {
     case 'h':
       return edict.set(field::kHealth, amount);
@@ -184,10 +185,8 @@ void give_command(const Caller& caller) {
       return edict.set(field::kAmmoRockets, amount);
     case 'c':
       return edict.set(field::kAmmoCells, amount);
-    case 'a':
-      return edict.set(field::kArmorValue, amount);
     default:
-      caller.print(fmt::format("there is nothing \"{}\" to give\n", caller.words[1]));
+      return edict.set(field::kArmorValue, amount);
   }
 }
 

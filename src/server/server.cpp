@@ -283,11 +283,14 @@ void Server::shut_down(std::string_view reason) {
 
 base::Status Server::record(std::size_t slot, std::string_view name) {
   if (!game_ || slot >= clients_.size() || !clients_[slot].is_in_game())
-    return base::error(base::ErrorCode::kUsage, "there is no player {} to record", slot + 1);
+    return base::error(base::ErrorCode::kUsage, "there is no player {} to record; `status` lists them",
+                       static_cast<std::int64_t>(slot) + 1);
   if (recorder_) return base::error(base::ErrorCode::kUsage, "a recording is running already");
   TRY(std::filesystem::path file, file_to_write(name, ".dem"));
   TRY(recorder_, Recorder::begin(*game_, clients_.all(), slot, std::move(file)));
   clients_.listen_to(slot);
+  print(fmt::format("recording what {} is told to {}; `stop` ends it\n", clients_[slot].name,
+                    recorder_->file().string()));
   return base::Ok{};
 }
 

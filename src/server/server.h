@@ -129,6 +129,7 @@ class Server {
   void run_tick();
   base::Status take_numbered_moves(std::size_t slot);
   void tell_move_terms();
+  void tell_changed_rules();
   void acknowledge_moves(std::size_t slot);
   void send_tick();
   bool take_turn(std::size_t slot);
@@ -154,6 +155,7 @@ class Server {
   double failed_at_s_ = -1e9;
   double saved_at_s_ = 0;
   std::uint64_t ticks_ = 0;
+  std::uint64_t told_rules_version_ = 0;  // of the variables, when players were last told of rules
   // By slot: the player is in the game already (loaded or reloaded) when his client asks to be put there.
   std::vector<bool> goes_on_;
   std::optional<std::string> captured_;  // run_and_capture()

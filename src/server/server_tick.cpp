@@ -33,6 +33,7 @@ void Server::step(double now_s) {
   now_s_ = now_s;
   take_events();
   console_.run();
+  tell_changed_rules();
   const double tick_s = setup_.settings.tick_s();
   while (game_ && unplayed_s_ >= tick_s) {
     unplayed_s_ -= tick_s;
@@ -93,6 +94,15 @@ void Server::tell_move_terms() {
     clients_[slot].told_terms = terms;
     clients_.tell(slot, net::StuffText{net::line_of(terms)});
   }
+}
+
+// As stock servers do; players see why they fall more slowly.
+void Server::tell_changed_rules() {
+  const ServerVariables& settings = setup_.settings;
+  if (game_)
+    for (const auto& [name, value] : settings.rules_changed_since(told_rules_version_))
+      clients_.print_everyone(fmt::format("\"{}\" changed to \"{}\"\n", name, value));
+  told_rules_version_ = settings.variables().version();
 }
 
 void Server::acknowledge_moves(std::size_t slot) {

@@ -1,5 +1,6 @@
 #include "server/server_variables.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -8,13 +9,16 @@ namespace temblor::server {
 namespace {
 
 constexpr double kHuge = 1e6;
+// Bytes a second that a modem of the game's days carried: of updates in a fight, some ten a second.
+constexpr std::int64_t kLeastRate = 2500;
 
-// Rules that stock servers tell, and those that game code reads.
-constexpr std::array<std::string_view, 15> kRules = {
-    "sv_maxspeed",  "sv_friction", "sv_gravity", "sv_accelerate", "sv_stopspeed",
-    "edgefriction", "fraglimit",   "timelimit",  "teamplay",      "noexit",
-    "samelevel",    "deathmatch",  "coop",       "skill",         "sv_maxvelocity",
+// Rules that stock servers tell, and those that game code reads: of the level that is played, and of the
+// next one.
+constexpr std::array<std::string_view, 12> kRules = {
+    "sv_maxspeed",  "sv_friction", "sv_gravity", "sv_accelerate", "sv_stopspeed", "sv_maxvelocity",
+    "edgefriction", "fraglimit",   "timelimit",  "teamplay",      "noexit",       "samelevel",
 };
+constexpr std::array<std::string_view, 3> kRulesOfNextLevel = {"deathmatch", "coop", "skill"};
 
 }  // namespace
 
@@ -59,7 +63,8 @@ ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(
   reliable_updates_ = v.add_bool("sv_reliableupdates", false,
                                  "Updates are sent until they arrive, and none meanwhile: a lost packet then "
                                  "stops the game, as in the first versions of Quake; to see the difference.");
-  max_rate_ = v.add_int("sv_maxrate", 0, 0, 10'000'000,
+  max_rate_ =
+      v.add_int_or_zero("sv_maxrate", 0, kLeastRate, 10'000'000,
                         "Bytes a second of updates to each client; where they do not suffice, it gets fewer "
                         "updates; 0: one each step.");
   autosave_ = v.add_float("sv_autosave", 0, 0, 1440,
@@ -166,9 +171,20 @@ bool ServerVariables::reloads() const {
 
 std::vector<std::pair<std::string, std::string>> ServerVariables::rules() const {
   std::vector<std::pair<std::string, std::string>> rules;
-  for (const std::string_view name : kRules)
-    if (const command::Variable* variable = variables_->find(name)) rules.emplace_back(name, variable->text);
+  const auto add = [&](std::string_view name) { rules.emplace_back(name, variables_->find(name)->text); };
+  std::for_each(kRules.begin(), kRules.end(), add);
+  std::for_each(kRulesOfNextLevel.begin(), kRulesOfNextLevel.end(), add);
   return rules;
+}
+
+std::vector<std::pair<std::string, std::string>> ServerVariables::rules_changed_since(
+    std::uint64_t version) const {
+  std::vector<std::pair<std::string, std::string>> changed;
+  if (variables_->version() == version) return changed;
+  for (const std::string_view name : kRules)
+    if (const command::Variable* rule = variables_->find(name); rule->version > version)
+      changed.emplace_back(name, rule->text);
+  return changed;
 }
 
 }  // namespace temblor::server

@@ -37,6 +37,8 @@ class ServerVariables {
   command::Variables& variables() const { return *variables_; }
   // Names and values that the server tells who asks for its rules.
   std::vector<std::pair<std::string, std::string>> rules() const;
+  // Those of the level that is played which were set since `version` of variables().
+  std::vector<std::pair<std::string, std::string>> rules_changed_since(std::uint64_t version) const;
 
  private:
   command::Variables* variables_;

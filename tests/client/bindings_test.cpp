@@ -51,7 +51,7 @@ class BoundConsole {
   BoundConsole() {
     const auto print = [this](std::string_view line) { lines.emplace_back(line); };
     add_binding_commands(console, bindings, print);
-    add_input_commands(console, input, time_s, print);
+    add_input_commands(console, input, time_s);
   }
   void run(std::string_view text) {
     console.append(text);
@@ -69,6 +69,24 @@ TEST(Bindings, AreKeptAsTextThatMakesThemAgain) {
   again.run(bound.bindings.to_text());
   for (std::uint16_t i = 0; i < platform::kKeys; ++i)
     EXPECT_EQ(again.bindings.commands(Key{i}), bound.bindings.commands(Key{i})) << key_name(Key{i});
+}
+
+TEST(Bindings, ImpulsesAreNumbersOfAByte) {
+  BoundConsole bound;
+  bound.run("impulse; impulse abc; impulse 256; impulse -1; impulse 1 2");
+  EXPECT_THAT(bound.lines, ::testing::AllOf(::testing::SizeIs(5), ::testing::Each(HasSubstr("0 to 255"))));
+  bound.run("impulse 255");
+  EXPECT_EQ(bound.lines.size(), 5u);
+}
+
+TEST(Bindings, ErrorsInAFileAreToldWithItsLine) {
+  BoundConsole bound;
+  bound.console.set_loader([](std::string_view) -> base::Result<std::string> {
+    return std::string("bind w +forward\nbind NOSUCHKEY quit\nimpulse ten\nunbind\n");
+  });
+  bound.run("exec autoexec.cfg");
+  EXPECT_THAT(bound.lines, ElementsAre("exec autoexec.cfg", "autoexec.cfg:2: there is no key \"NOSUCHKEY\"",
+                                       HasSubstr("autoexec.cfg:3: impulse"), HasSubstr("autoexec.cfg:4: ")));
 }
 
 TEST(Bindings, DefaultsLeaveOtherKeysAlone) {

@@ -10,9 +10,13 @@
 namespace temblor::command {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 constexpr std::array<std::string_view, 3> kColours = {"red", "green", "blue"};
 
@@ -214,8 +218,68 @@ TEST_F(ConsoleTest, ExecRunsAFileInPlace) {
 TEST_F(ConsoleTest, ExecOfAFileThatExecsItselfEnds) {
   files_["a.cfg"] = "exec a.cfg";
   run("exec a.cfg");
-  ASSERT_EQ(lines_.size(), 1u);
-  EXPECT_THAT(lines_[0], HasSubstr("a.cfg"));
+  ASSERT_EQ(lines_.size(), 2u);
+  EXPECT_THAT(lines_[1], HasSubstr("call itself"));
+}
+
+TEST_F(ConsoleTest, ExecIsToldOnceToWhoTypesIt) {
+  files_["a.cfg"] = "exec b.cfg\nwait\nexec b.cfg";
+  files_["b.cfg"] = "note b";
+  run("exec a.cfg");
+  console_.run();
+  EXPECT_THAT(notes_, ElementsAre("[b]", "[b]"));
+  EXPECT_THAT(lines_, ElementsAre("exec a.cfg"));
+}
+
+TEST_F(ConsoleTest, WhatIsWrongInAFileIsToldWithItsLine) {
+  files_["a.cfg"] =
+      "// a comment\n\nnote 1; fly high; sensitivity 99\nset nothing 1\r\nwait\n"
+      "exec b.cfg; walk\nalias hop \"note 2; skip\"\nexec none.cfg";
+  files_["b.cfg"] = "\nrun away // no newline behind it";
+  run("exec a.cfg; jump");
+  console_.append("swim");
+  console_.run();
+  run("hop");
+  EXPECT_THAT(lines_, ElementsAre("exec a.cfg", "a.cfg:3: unknown command \"fly\"",
+                                  AllOf(StartsWith("a.cfg:3: "), HasSubstr("0 to 20")),
+                                  "a.cfg:4: there is no variable \"nothing\"",
+                                  "b.cfg:2: unknown command \"run\"", "a.cfg:6: unknown command \"walk\"",
+                                  "a.cfg:8: no file none.cfg", "unknown command \"jump\"",
+                                  "unknown command \"swim\"", "unknown command \"skip\""));
+}
+
+// An alias has no lines of its own: it is where it is called that somebody looks.
+TEST_F(ConsoleTest, WhatIsWrongInAnAliasIsToldWithTheLineThatCallsIt) {
+  files_["a.cfg"] =
+      "alias inner \"wait; oops; oops\"\nalias outer \"note x; inner; last\"\nouter\n\nouter; end\n";
+  run("exec a.cfg");
+  for (int frame = 0; frame < 2; ++frame) console_.run();
+  const auto at = [](int line, const char* name) {
+    return fmt::format("a.cfg:{}: unknown command \"{}\"", line, name);
+  };
+  EXPECT_THAT(lines_, ElementsAre("exec a.cfg", at(3, "oops"), at(3, "oops"), at(3, "last"), at(5, "oops"),
+                                  at(5, "oops"), at(5, "last"), at(5, "end")));
+  EXPECT_FALSE(console_.has_pending());
+}
+
+TEST_F(ConsoleTest, CommandsTellTheirErrorsWithTheFilesLine) {
+  console_.add_command("fail", "Says that it failed.", [this](Console::Arguments) {
+    console_.print_error("it failed");
+    console_.execute("no_such_thing");
+  });
+  files_["a.cfg"] = "note 1\nfail";
+  run("exec a.cfg; fail");
+  EXPECT_THAT(lines_,
+              ElementsAre("exec a.cfg", "a.cfg:2: it failed", "a.cfg:2: unknown command \"no_such_thing\"",
+                          "it failed", "unknown command \"no_such_thing\""));
+}
+
+TEST_F(ConsoleTest, CommandsThatNeedANameSaySo) {
+  for (const char* command : {"unalias", "reset", "toggle", "cycle", "inc", "set", "exec", "apropos"}) {
+    lines_.clear();
+    run(command);
+    EXPECT_EQ(lines_.size(), 1u) << command;
+  }
 }
 
 TEST_F(ConsoleTest, ExecSaysWhatIsWrong) {
@@ -228,10 +292,21 @@ TEST_F(ConsoleTest, ExecSaysWhatIsWrong) {
 }
 
 TEST_F(ConsoleTest, EchoHelpAndList) {
-  run("echo a  \"b  c\"; help note; help sensitivity; help nothing; help; list sens");
+  run("echo a  \"b  c\"; help note; help sensitivity; help nothing; help a b; list sens");
   EXPECT_THAT(lines_, ElementsAre("a b  c", "Notes its words.",
                                   "How far the mouse turns. Takes a whole number from 0 to 20; 3 by default.",
                                   HasSubstr("nothing"), HasSubstr("help NAME"), "sensitivity"));
+}
+
+TEST_F(ConsoleTest, HelpAloneListsTheCommands) {
+  console_.add_command("-note", "Ends +note.", [](Console::Arguments) {});
+  run("help");
+  EXPECT_THAT(lines_, Contains("note: Notes its words."));
+  EXPECT_THAT(lines_, Contains("echo WORDS prints them."));
+  EXPECT_THAT(lines_, Not(Contains(HasSubstr("-note"))));
+  EXPECT_THAT(lines_, Not(Contains(HasSubstr("crosshair"))));
+  for (const char* more : {"help NAME", "cvarlist", "apropos WORD"})
+    EXPECT_THAT(lines_.back(), HasSubstr(more));
 }
 
 TEST_F(ConsoleTest, EveryCommandHasHelp) {

@@ -109,6 +109,19 @@ TEST(CommandText, RandomTextsSplitAsTheReferenceSays) {
   }
 }
 
+TEST(ParseNumber, TakesWhatIsANumberAltogether) {
+  EXPECT_EQ(parse_number("-1.5"), -1.5);
+  EXPECT_EQ(parse_number("+2e3"), 2000.0);
+  EXPECT_EQ(parse_whole_number("-12"), -12);
+  EXPECT_EQ(parse_whole_number("+7"), 7);
+  for (const char* wrong : {"", "+", "abc", "1x", " 1", "1 ", "nan", "inf", "1e999"}) {
+    EXPECT_EQ(parse_number(wrong), std::nullopt) << wrong;
+    EXPECT_EQ(parse_whole_number(wrong), std::nullopt) << wrong;
+  }
+  EXPECT_EQ(parse_whole_number("1.5"), std::nullopt);
+  EXPECT_EQ(parse_whole_number("99999999999999999999"), std::nullopt);
+}
+
 TEST(JoinWords, SplitsIntoTheSameWordsAgain) {
   constexpr std::string_view kAlphabet = "ab ;/{}:'";
   for (unsigned seed = 0; seed < 2000; ++seed) {

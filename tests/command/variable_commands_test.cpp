@@ -112,7 +112,7 @@ TEST_F(VariableCommands, CmdlistListsCommandsOnly) {
 
 TEST_F(VariableCommands, AproposSearchesNamesAndHelp) {
   EXPECT_THAT(run("apropos CROSS"), ElementsAre("crosshair: Shows a cross."));
-  EXPECT_THAT(run("apropos level"), ElementsAre("map: map NAME starts a level."));
+  EXPECT_THAT(run("apropos level"), ElementsAre("map NAME starts a level."));
   EXPECT_THAT(run("find dark"), ElementsAre("gamma: Brightens the dark."));
   EXPECT_THAT(run("apropos zebra"), ElementsAre(HasSubstr("nothing has \"zebra\"")));
   for (const char* wrong : {"apropos", "apropos a b", "apropos \"\""})

@@ -51,6 +51,17 @@ TEST(Variables, BoolsTakeTheUsualWords) {
     EXPECT_FALSE(table.variables.set("r_flag", wrong).ok()) << wrong;
 }
 
+TEST(Variables, BoundsMayLeaveOutAllBut0) {
+  Variables variables;
+  const VariableIndex rate = variables.add_int_or_zero("rate", 0, 2500, 9000, "A rate.");
+  EXPECT_EQ(variables.int_value(rate), 0);
+  for (const char* right : {"2500", "9000", "0"}) EXPECT_TRUE(variables.set("rate", right).ok()) << right;
+  for (const char* wrong : {"1", "-1", "2499", "9001", "none", ""})
+    EXPECT_FALSE(variables.set("rate", wrong).ok()) << wrong;
+  EXPECT_EQ(variables.int_value(rate), 0);
+  EXPECT_EQ(describe_values(variables.get(rate)), "0 or a whole number from 2500 to 9000");
+}
+
 TEST(Variables, IntsAreWholeAndInRange) {
   Table table;
   for (const auto& [text, value] : {std::pair("-1", -1), {"10", 10}, {"+3", 3}, {"007", 7}, {"-0", 0}}) {

@@ -56,5 +56,109 @@ TEST(HostCommands, ABannedPlayersAddressCanBeUnbanned) {
   EXPECT_TRUE(served.run_until_playing(rogue));
 }
 
+// What the server printed for one line of its console.
+std::string answer(ServedGame& io_served, std::string_view line) {
+  const std::size_t before = io_served.console().size();
+  io_served.command(line);
+  io_served.run(0.1);
+  return io_served.console().substr(before);
+}
+
+TEST(HostCommands, LettersAreNoNumbers) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  ASSERT_TRUE(served.run_until_playing(served.add_client("one")));
+  EXPECT_EQ(answer(served, "edict abc"), "edict: \"abc\" is not a number\n");
+  EXPECT_EQ(answer(served, "edict 1x"), "edict: \"1x\" is not a number\n");
+  EXPECT_THAT(answer(served, "edict 99999"), HasSubstr("there is no entity 99999: they are 0 to "));
+  EXPECT_THAT(answer(served, "edict -1"), HasSubstr("there is no entity -1"));
+  EXPECT_THAT(answer(served, "edict 1"), HasSubstr("progs/player.mdl"));
+  EXPECT_THAT(answer(served, "kick #one"), HasSubstr("\"#one\" is no player's number"));
+  EXPECT_THAT(answer(served, "ban #"), HasSubstr("\"#\" is no player's number"));
+  EXPECT_THAT(answer(served, "record film two"), HasSubstr("\"two\" is not a number"));
+  EXPECT_THAT(answer(served, "record film 0"), HasSubstr("no player 0"));
+  EXPECT_THAT(answer(served, "sv_gravity high"), HasSubstr("cannot be \"high\""));
+  EXPECT_EQ(served.server().clients().connected(), 1u);
+}
+
+TEST(HostCommands, WithoutTheirWordsTheySayWhatTheyTake) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  for (const std::string name :
+       {"map", "changelevel", "save", "load", "kick", "unban", "say", "record", "edict"})
+    EXPECT_THAT(answer(served, name), ::testing::StartsWith(name + " ")) << name;
+}
+
+TEST(HostCommands, HelpListsThem) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  const std::string list = answer(served, "help");
+  for (const char* line : {"kick NAME or #NUMBER", "status: Shows the level", "exec FILE", "quit: "})
+    EXPECT_THAT(list, HasSubstr(std::string("\n") + line));
+}
+
+TEST(HostCommands, WhatIsDoneIsTold) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  const std::size_t me = served.add_client("star");
+  ASSERT_TRUE(served.run_until_playing(me));
+  EXPECT_THAT(answer(served, "record film"), HasSubstr("recording what star is told to "));
+  EXPECT_THAT(answer(served, "stop"), HasSubstr("film.dem"));
+  EXPECT_EQ(answer(served, "pause"), "time stands still; `pause` lets it go on\n");
+  EXPECT_EQ(answer(served, "pause"), "time goes on\n");
+  EXPECT_EQ(answer(served, "ban 198.51.100.7/24"),
+            "198.51.100.0/24 is banned until the server ends, or `unban 198.51.100.0/24`\n");
+  EXPECT_EQ(answer(served, "unban 198.51.100.0/24"), "198.51.100.0/24 may come again\n");
+  EXPECT_THAT(answer(served, "unban 198.51.100.0/24"), HasSubstr("was not banned"));
+  EXPECT_THAT(answer(served, "ban nobody"), HasSubstr("there is no such player, and 'nobody' is no address"));
+  EXPECT_THAT(answer(served, "changelevel small"), HasSubstr("level small, protocol 15\n"));
+  EXPECT_THAT(answer(served, "kick star enough"), HasSubstr("removed: enough"));
+}
+
+TEST(HostCommands, PlayersAreToldOfChangedRules) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  const std::size_t me = served.add_client("one");
+  ASSERT_TRUE(served.run_until_playing(me));
+  served.command("sv_gravity 100; hostname Moon; sv_gravity 100");
+  served.run(0.5);
+  const std::string& prints = served.prints(me);
+  const std::size_t told = prints.find("\"sv_gravity\" changed to \"100\"");
+  ASSERT_NE(told, std::string::npos) << prints;
+  EXPECT_EQ(prints.find("changed to", told + 30), std::string::npos) << prints;
+}
+
+TEST(HostCommands, FilesOfThemAreToldByLine) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  served.server().console().set_loader([](std::string_view) -> base::Result<std::string> {
+    return std::string("ban 198.51.100.0/24\nedict 5000\nkick nobody\nsv_maxrate 1\nsave here");
+  });
+  const std::string told = answer(served, "exec server.cfg");
+  EXPECT_THAT(told, HasSubstr("server.cfg:2: there is no entity 5000"));
+  EXPECT_THAT(told, HasSubstr("server.cfg:3: there is no player \"nobody\""));
+  EXPECT_THAT(told,
+              HasSubstr("server.cfg:4: sv_maxrate cannot be \"1\": it takes 0 or a whole number from 2500"));
+  EXPECT_THAT(told, HasSubstr("server.cfg:5: a game of several players cannot be saved"));
+  EXPECT_THAT(told, Not(HasSubstr("is banned"))) << "a file may hold many";
+}
+
+TEST(HostCommands, PlayersGiveThemselvesNumbersOnly) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(small_program(), {.max_clients = 1});
+  const std::size_t me = served.add_client("one");
+  ASSERT_TRUE(served.run_until_playing(me));
+  for (const char* line : {"give h many", "give h", "give x 1"}) {
+    served.client(me).send_command(line);
+    served.run(0.2);
+    EXPECT_EQ(served.game().player(0)[server::field::kHealth], 100) << line;
+  }
+  EXPECT_THAT(served.prints(me), HasSubstr("give h NUMBER"));
+  EXPECT_THAT(served.prints(me), HasSubstr("nothing \"x\" to give"));
+  served.client(me).send_command("give h 250");
+  served.run(0.2);
+  EXPECT_EQ(served.game().player(0)[server::field::kHealth], 250);
+}
+
 }  // namespace
 }  // namespace temblor::test
