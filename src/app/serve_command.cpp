@@ -13,6 +13,8 @@
 #include "app/system.h"
 #include "app/written_file.h"
 #include "assets/library.h"
+#include "base/text.h"
+#include "command/text.h"
 #include "net/server_endpoint.h"
 #include "platform/posix/udp_socket.h"
 #include "server/server.h"
@@ -73,6 +75,21 @@ class GameFileWatch {
   double looked_at_s_ = 0;
 };
 
+std::string is_port(const std::string& text) {
+  const std::optional<std::int64_t> number = command::parse_whole_number(text);
+  if (number && *number >= 0 && *number <= 65535) return {};
+  return fmt::format("\"{}\" is no UDP port: those are 1 to 65535; 0 takes any that is free",
+                     base::quotable(text));
+}
+
+base::Result<std::unique_ptr<platform::DatagramSocket>> open_socket(const ServeOptions& options) {
+  auto socket = platform::posix::open_udp_socket({.port = options.port, .host = options.host});
+  if (socket.ok() || options.port == 0 || socket.error().code != base::ErrorCode::kIo) return socket;
+  base::Error error = socket.error();
+  error.what += "; --port N takes another one, --port 0 any that is free";
+  return error;
+}
+
 base::Result<std::string> read_configuration(const vfs::FileSystem& files, std::string_view name) {
   base::Result<base::ByteVector> bytes = files.read(name);
   if (!bytes.ok()) bytes = vfs::read_disk_file(std::string(name), kMaxConfigurationBytes);
@@ -103,7 +120,10 @@ void serve(server::Server& io_server, const ServeOptions& options) {
 CLI::App* add_serve_command(CLI::App& program, ServeOptions& io_options) {
   CLI::App* command = program.add_subcommand("serve", "A dedicated server, its console on standard input");
   command->add_option("--map", io_options.map, "Level to begin with")->type_name("NAME")->required();
-  command->add_option("--port", io_options.port, "UDP port; 0: any that is free")->capture_default_str();
+  command->add_option("--port", io_options.port, "UDP port, 0 to 65535; 0: any that is free")
+      ->type_name("N")
+      ->check(is_port)
+      ->capture_default_str();
   command->add_option("--host", io_options.host, "Receives on this address of the machine alone")
       ->type_name("ADDRESS");
   command
@@ -132,7 +152,7 @@ base::Status run_serve(const ServeOptions& options, const CommonOptions& common,
   TRY(vfs::FileSystem files, open_files(common.folders));
   const assets::Library library(std::move(files));
   net::ServerEndpoint::Sockets sockets(1);
-  TRY(sockets[0], platform::posix::open_udp_socket({.port = options.port, .host = options.host}));
+  TRY(sockets[0], open_socket(options));
   const std::uint16_t port = sockets[0]->local_address().port;
   server::Server server({.library = library,
                          .settings = settings,

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "app/program.h"
+#include "platform/posix/udp_socket.h"
 #include "support/game_data.h"
 #include "support/temporary_folder.h"
 
@@ -81,6 +82,49 @@ TEST(ServeProgram, WhatIsWrongIsOneLine) {
   EXPECT_EQ(serve({}).exit_status, 2);
   const ProgramRun no_address = serve({"--map", "start", "--host", "no.such.address"});
   EXPECT_TRUE(is_one_error_line(no_address.err)) << no_address.err;
+}
+
+TEST(ServeProgram, PortsThatCannotBeHadAreToldWithWhatToDo) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_GAME();
+  const TemporaryFolder folder;
+  const auto serve_at = [&](const std::string& port) {
+    return run_program(folder.path(), {"--basedir", data.string(), "serve", "--map", "start", "--progs",
+                                       TEMBLOR_GAME_PROGRAM, "--host", "127.0.0.1", "--port", port});
+  };
+  for (const char* wrong : {"70000", "-1", "abc", "1.5", "65536"}) {
+    const ProgramRun run = serve_at(wrong);
+    EXPECT_EQ(run.exit_status, 2) << run.err;
+    EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(std::string("\"") + wrong + "\" is no UDP port"));
+    EXPECT_THAT(run.err, HasSubstr("1 to 65535"));
+  }
+  const auto other = platform::posix::open_udp_socket({.port = 0, .host = "127.0.0.1"});
+  ASSERT_TRUE(other.ok()) << other.error().message();
+  const std::string port = std::to_string((*other)->local_address().port);
+  const ProgramRun busy = serve_at(port);
+  EXPECT_EQ(busy.exit_status, 1);
+  EXPECT_TRUE(is_one_error_line(busy.err)) << busy.err;
+  EXPECT_THAT(busy.err, HasSubstr("UDP port " + port + " is in use"));
+  EXPECT_THAT(busy.err, HasSubstr("--port"));
+}
+
+TEST(ServeProgram, ErrorsOfTheConfigurationAreToldWithItsLine) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_GAME();
+  const TemporaryFolder folder;
+  std::filesystem::create_directory_symlink(data / "id1", folder.path() / "id1");
+  folder.write("mod/server.cfg", "// ours\nhostname \"Quiet\"\nhostnam \"Pit\"\nexec rules.cfg\nskill 7\n");
+  folder.write("mod/rules.cfg", "fraglimit many\n");
+  const ProgramRun run =
+      run_program(folder.path(),
+                  {"--basedir", folder.path().string(), "--game", "mod", "serve", "--map", "start", "--progs",
+                   TEMBLOR_GAME_PROGRAM, "--port", "0", "--host", "127.0.0.1", "--duration", "0.1"});
+  EXPECT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("server.cfg:3: unknown command \"hostnam\""));
+  EXPECT_THAT(run.out, HasSubstr("rules.cfg:1: fraglimit cannot be \"many\""));
+  EXPECT_THAT(run.out, HasSubstr("server.cfg:5: skill cannot be \"7\""));
+  EXPECT_THAT(run.out, HasSubstr("Quiet: UDP port"));
 }
 
 TEST(ServeProgram, TheCommandLineHasTheLastWordOverTheConfiguration) {

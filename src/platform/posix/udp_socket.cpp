@@ -125,7 +125,13 @@ base::Result<std::unique_ptr<DatagramSocket>> open_of_family(const Address& addr
   // A wish: the system may grant less.
   setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &kReceiveBufferBytes, sizeof(kReceiveBufferBytes));
   const SystemAddress system = to_system(address, family);
-  if (bind(descriptor, system.get(), system.size) != 0) return system_error(address, "cannot be had");
+  if (bind(descriptor, system.get(), system.size) != 0) {
+    if (errno == EADDRINUSE)
+      return base::error(base::ErrorCode::kIo, "UDP port {} is in use by another program", address.port);
+    if (errno == EADDRNOTAVAIL)
+      return base::error(base::ErrorCode::kUsage, "{} is not an address of this machine", host_text(address));
+    return system_error(address, "cannot be had");
+  }
   return std::unique_ptr<DatagramSocket>(std::move(opened));
 }
 
@@ -139,7 +145,8 @@ base::Result<std::unique_ptr<DatagramSocket>> open_udp_socket(const UdpOptions& 
   if (!options.host.empty()) {
     const std::optional<Address> address = parse_host(options.host, options.port);
     if (!address)
-      return base::error(base::ErrorCode::kUsage, "'{}' is no host in numbers", std::string(options.host));
+      return base::error(base::ErrorCode::kUsage, "'{}' is no address in numbers, as 192.168.1.20 is",
+                         std::string(options.host));
     return open_of_family(*address, address->is_ip4() ? AF_INET : AF_INET6);
   }
   const Address everywhere{{}, options.port, 0};
