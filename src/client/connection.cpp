@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/text.h"
+
 namespace temblor::client {
 namespace {
 
@@ -11,6 +13,7 @@ constexpr int kMovesLeftOut = 2;
 constexpr double kLongestHitch_s = 0.25;
 constexpr double kAlmostATick = 1e-6;
 constexpr std::size_t kMaxCommandsKept = 1000;
+constexpr std::size_t kMaxReasonChars = 200;
 constexpr std::size_t kMaxSentBytes = 4000;  // and the line that is begun: within what any server takes
 
 }  // namespace
@@ -53,15 +56,20 @@ void Connection::update(double now_s) {
 base::Status Connection::read(base::Bytes packet) {
   reader_.begin(packet);
   bool has_time = false, has_level = false;
+  std::string said_last;  // before a farewell: why
   while (true) {
     TRY(const std::optional<net::ServerMessage> message, reader_.next());
     if (!message) break;
     if (std::holds_alternative<net::Disconnect>(*message)) {
       lost_because_ = "the server has ended the connection";
+      if (!said_last.empty())
+        lost_because_ += fmt::format(": {}", base::quotable(said_last, kMaxReasonChars));
       endpoint_.disconnect();
       record(packet, has_level);
       return base::Ok{};
     }
+    if (const auto* print = std::get_if<net::Print>(&*message))
+      said_last = print->text.substr(0, print->text.find('\n'));
     if (const auto* info = std::get_if<net::ServerInfo>(&*message)) {
       endpoint_.set_protocol(info->dialect.protocol);
       answered_signon_ = 0;

@@ -55,9 +55,8 @@ void kick(Server& io_server, Arguments arguments) {
   const base::Result<std::size_t> slot = find_player(io_server, arguments);
   if (!slot.ok()) return io_server.console().print_error(slot.error().message());
   const std::size_t first = arguments[1] == "#" ? 3 : 2;
-  const std::string reason = arguments.size() > first ? words_from(arguments, first) : "kicked by the host";
-  io_server.clients().print(*slot, fmt::format("Kicked: {}\n", reason));
-  io_server.drop(*slot, reason);
+  io_server.drop(*slot, arguments.size() > first ? fmt::format("kicked: {}", words_from(arguments, first))
+                                                 : "kicked by the host");
 }
 
 void ban_prefix(Server& io_server, const net::AddressPrefix& prefix) {

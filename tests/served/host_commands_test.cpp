@@ -112,7 +112,9 @@ TEST(HostCommands, WhatIsDoneIsTold) {
   EXPECT_THAT(answer(served, "unban 198.51.100.0/24"), HasSubstr("was not banned"));
   EXPECT_THAT(answer(served, "ban nobody"), HasSubstr("there is no such player, and 'nobody' is no address"));
   EXPECT_THAT(answer(served, "changelevel small"), HasSubstr("level small, protocol 15\n"));
-  EXPECT_THAT(answer(served, "kick star enough"), HasSubstr("removed: enough"));
+  EXPECT_THAT(answer(served, "kick star enough is enough"), HasSubstr("removed: kicked: enough is enough"));
+  EXPECT_EQ(served.client(me).lost_because(),
+            "the server has ended the connection: kicked: enough is enough");
 }
 
 TEST(HostCommands, PlayersAreToldOfChangedRules) {
