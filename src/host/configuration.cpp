@@ -62,10 +62,11 @@ std::string read_history(const std::filesystem::path& folder) {
   return bytes.ok() ? std::string(base::as_text(*bytes)) : std::string();
 }
 
-std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables) {
+std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables,
+                               const Overrides& overrides) {
   return fmt::format(
       "// Written by Temblor when it ends; autoexec.cfg is run after it and never written.\n{}{}",
-      bindings.to_text(), variables.to_text());
+      bindings.to_text(), variables.to_text(overrides));
 }
 
 }  // namespace temblor::host

@@ -28,6 +28,7 @@ base::Result<std::string> read_commands(const GameData& data, std::string_view n
 std::optional<std::string> configuration_to_run(const GameData& data);
 // What could not be read is not written over: it gets another name. Nothing where it can be read.
 base::Status keep_damaged(const GameData& data, std::string_view name);
-std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables);
+std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables,
+                               const Overrides& overrides);
 
 }  // namespace temblor::host

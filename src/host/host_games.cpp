@@ -22,6 +22,9 @@ void Host::take_up_data() {
 }
 
 base::Status Host::configure() {
+  // Nothing of what the folders before have set; nor of the command line, which is to come last.
+  overrides_.release_changed(variables_.variables());
+  variables_.reset();
   console_.set_loader([this](std::string_view name) { return read_commands(*data_, name); });
   const auto run = [this](std::string_view file) {
     console_.append(command::join_words({"exec", std::string(file)}));
@@ -35,7 +38,8 @@ base::Status Host::configure() {
   if (data_->library.files().contains("autoexec.cfg") ||
       std::filesystem::exists(data_->write_folder / "autoexec.cfg", ignored))
     run("autoexec.cfg");
-  if (options_.apply_overrides) TRY_STATUS(options_.apply_overrides());
+  if (options_.apply_overrides)
+    TRY_STATUS(overrides_.apply(options_.apply_overrides, variables_.variables()));
   console_ui_.load_history(read_history(data_->write_folder));
   window_settings_ = variables_.window();
   // What this display cannot show is no reason not to play.
@@ -179,7 +183,7 @@ base::Status Host::change_games(std::vector<std::string> games) {
 
 base::Status Host::save_configuration() {
   TRY_STATUS(keep_damaged(*data_, kConfigurationFile));
-  const std::string text = configuration_text(bindings_, variables_);
+  const std::string text = configuration_text(bindings_, variables_, overrides_);
   TRY_STATUS(services_.write_file(data_->write_folder / kConfigurationFile, base::as_bytes(text)));
   const std::string history = console_ui_.history_text();
   if (history.empty()) return base::Ok{};
