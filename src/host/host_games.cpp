@@ -30,17 +30,15 @@ base::Status Host::configure() {
     console_.append(command::join_words({"exec", std::string(file)}));
     console_.run();
   };
+  bindings_.unbind_all();
   // A game's own defaults first, for what it binds besides; the keys that hands know win over the original's.
   if (data_->library.files().contains("default.cfg")) run("default.cfg");
   bindings_.add_defaults();
   if (const std::optional<std::string> file = configuration_to_run(*data_)) run(*file);
-  std::error_code ignored;
-  if (data_->library.files().contains("autoexec.cfg") ||
-      std::filesystem::exists(data_->write_folder / "autoexec.cfg", ignored))
-    run("autoexec.cfg");
+  if (has_commands(*data_, "autoexec.cfg")) run("autoexec.cfg");
   if (options_.apply_overrides)
     TRY_STATUS(overrides_.apply(options_.apply_overrides, variables_.variables()));
-  console_ui_.load_history(read_history(data_->write_folder));
+  console_ui_.load_history(read_history(*data_));
   window_settings_ = variables_.window();
   // What this display cannot show is no reason not to play.
   if (const base::Status applied = services_.window.apply(window_settings_); !applied.ok())
