@@ -180,6 +180,7 @@ TEST(Prediction, AStepIsTheServersOwnTickForTick) {
     in_water += result.in_water;
   }
   EXPECT_GT(climbed, effort(20, 0)) << "or stairs were not tried";
+  EXPECT_GE(in_water, effort(100, 0)) << "or swimming was not";
 }
 
 // --- Stairs and lifts.
