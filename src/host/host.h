@@ -197,7 +197,8 @@ class Host {
   } speed_;
   std::string speed_text_, latency_text_;
   bool has_focus_ = true, takes_text_ = false, was_playing_ = false;
-  double saved_s_ = 0;  // when the game was last saved, or begun
+  bool is_shown_ = true;  // what was drawn last
+  double saved_s_ = 0;    // when the game was last saved, or begun
   bool wants_to_quit_ = false;
 };
 
