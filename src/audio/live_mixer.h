@@ -17,7 +17,8 @@ class LiveMixer {
   LiveMixer();
 
   // From the game's thread. How things are now, and what has happened since the last time; taken up when the
-  // device next asks, a few milliseconds later.
+  // device next asks, a few milliseconds later. Where it does not ask for long, what would have been over by
+  // then is left out, so that no more than so much waits.
   void post(const Scene& scene, const SoundEvents& events);
   // Nothing: silence.
   void play_music(std::optional<MusicDecoder> music) { music_.play(std::move(music)); }
@@ -39,6 +40,7 @@ class LiveMixer {
     std::vector<SoundPtr> done;  // on its way back, to be freed
     bool is_read = false;        // nothing in it is news
     void clear();
+    void fold_all();
   };
   void take_mail();
 
