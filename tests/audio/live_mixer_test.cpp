@@ -145,7 +145,8 @@ TEST(LiveMixerThreads, PostingAndPlayingAtOnce) {
     }
   });
   Random random(1);
-  mixer.play_music(audio::MusicDecoder::open(formats::write_wav(sine_wav(440, 0.5, 44100, 44100))).value());
+  mixer.play_music(
+      [] { return audio::MusicDecoder::open(formats::write_wav(sine_wav(440, 0.5, 44100, 44100))); });
   for (int step = 0; step < effort(3000, 500); ++step) {
     audio::Scene scene = quiet_scene();
     scene.listener.origin_world = random.in_cube(100);
