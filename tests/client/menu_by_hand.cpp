@@ -40,7 +40,7 @@ void register_menu_variables(command::Variables& io_variables) {
                                     kMips[] = {"footprint", "stock"}, kPerspectives[] = {"exact", "every16"};
   for (const char* name :
        {"vid_vsync", "scr_showlatency", "host_parallel", "vid_render_scale_auto", "scr_showfps",
-        "r_coloured_light", "r_alias_snap", "con_highcontrast", "scr_safecolours", "coop"})
+        "r_coloured_light", "r_alias_snap", "con_highcontrast", "coop"})
     v.add_bool(name, false, fmt::format("What {} does, said in one sentence that may be rather long.", name));
   for (const char* name : {"vid_render_scale", "joy_rumble"})
     v.add_float(name, 0.5, 0, 1, fmt::format("How much there is of {}.", name));
@@ -61,7 +61,6 @@ void register_menu_variables(command::Variables& io_variables) {
   v.add_int("vid_width", 1280, 1, 16384, "Of the window, in pixels.");
   v.add_int("vid_height", 720, 1, 16384, "Of the window, in pixels.");
   v.add_int("vid_display", 0, 0, 15, "Which display.");
-  v.add_int("crosshair", 0, 0, 1, "Marks the middle.");
   v.add_int("deathmatch", 0, 0, 255, "Players against one another.");
   v.add_int("teamplay", 0, 0, 255, "Whether players of one team hurt each other.");
   v.add_int("fraglimit", 0, 0, 1000000, "Kills that end a deathmatch.");
