@@ -34,9 +34,13 @@ base::Result<std::unique_ptr<GameData>> GameData::open(const GameFolders& folder
   TRY(vfs::FileSystem files, vfs::FileSystem::open(folders.base_folder, folders.games));
   TRY(const assets::Look look, assets::load_look(files));
   std::vector<std::filesystem::path> write_folders;
-  for (const std::filesystem::path& game : files.folders())
-    write_folders.push_back(folder_to_write(folders, game));
   std::error_code ignored;
+  for (const std::filesystem::path& game : files.folders()) {
+    // Nothing is written to those below the last one: they are asked only where it matters.
+    const bool is_last = game == files.folders().back();
+    const bool has_other = std::filesystem::exists(folders.user_folder / game.filename(), ignored);
+    write_folders.push_back(is_last || has_other ? folder_to_write(folders, game) : game);
+  }
   std::filesystem::create_directories(write_folders.back(), ignored);
   return std::make_unique<GameData>(std::move(files), look, std::move(write_folders));
 }
