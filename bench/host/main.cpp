@@ -1,15 +1,19 @@
 // What a player waits for: the first frame, a level, the picture after a key. Drawn at 1920 x 1080 into
 // memory, as the window's shared memory is; made-up events come at any moment between two frames of a display
-// of 60 Hz.
+// of 60 Hz. And what it is worth that the game's tick goes on beside the drawing: frames of either kind in
+// turn.
 //
 // Usage: host_bench PROGS, with TEMBLOR_DATA naming the base folder.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "bench/served/crowd.h"
 #include "host/host.h"
 #include "platform/headless/window.h"
 #include "support/random.h"
@@ -19,6 +23,10 @@ namespace {
 
 constexpr double kDisplay_hz = 60;
 constexpr int kEvents = 200;
+// Of the server, on a clock that goes by it: each frame has one.
+constexpr double kTick_s = 1.0 / 72;
+constexpr int kPairs = 600;
+constexpr std::size_t kMonsters = 600;
 
 [[noreturn]] void fail(const base::Error& error) {
   fmt::print(stderr, "host_bench: {}\n", error.message());
@@ -57,6 +65,63 @@ void measure_latency(host::Host& io_host, platform::headless::HeadlessWindow& io
             fmt::format("{:.1f} ms", ms(drawings_s, 0.5)), "-");
 }
 
+double clock_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// A frame of a tick's time, and what it takes.
+double timed_frame(host::Host& io_host, platform::headless::HeadlessWindow& io_window, double& io_now_s) {
+  io_window.set_now(io_now_s += kTick_s);
+  const double began_s = clock_s();
+  io_host.frame();
+  return clock_s() - began_s;
+}
+
+void measure_halves(host::Host& io_host, platform::headless::HeadlessWindow& io_window,
+                    command::Variables& io_variables, std::string_view name, double& io_now_s) {
+  constexpr int kWarm = 144;
+  for (int i = 0; i < kWarm; ++i) timed_frame(io_host, io_window, io_now_s);
+  std::array<std::vector<double>, 2> frames_s;
+  std::vector<double> saved_s;
+  for (int pair = 0; pair < kPairs; ++pair) {
+    std::array<double, 2> frame_s{};
+    // Each comes first in half of the pairs.
+    for (const std::size_t parallel :
+         {static_cast<std::size_t>(pair % 2), 1 - static_cast<std::size_t>(pair % 2)}) {
+      if (!io_variables.set("host_parallel", std::to_string(parallel)).ok()) std::abort();
+      frame_s[parallel] = timed_frame(io_host, io_window, io_now_s);
+      frames_s[parallel].push_back(frame_s[parallel]);
+    }
+    saved_s.push_back(frame_s[0] - frame_s[1]);
+  }
+  print_row(fmt::format("{}: a frame with its tick, in order and beside it, median", name),
+            fmt::format("{:.2f}, {:.2f} ms; saved {:.2f} ms", 1000 * median(frames_s[0]),
+                        1000 * median(frames_s[1]), 1000 * median(saved_s)),
+            "-");
+}
+
+// On two cores, the level as it is and with a crowd that is after the player.
+void measure_two_halves(host::Host& io_host, platform::headless::HeadlessWindow& io_window,
+                        command::Variables& io_variables) {
+  double now_s = io_window.now_s();
+  io_host.console().append("disconnect; host_maxfps 10000; sv_protocol 666; map lq_e1m2");
+  while (!io_host.session().is_playing() || !io_host.data().presentation.has_level())
+    timed_frame(io_host, io_window, now_s);
+  measure_halves(io_host, io_window, io_variables, "lq_e1m2", now_s);
+  server::Game& game = *io_host.session().server()->game();
+  if (const base::Status added = bench::add_monsters(kMonsters, game); !added.ok()) fail(added.error());
+  if (const base::Status set = bench::set_upon_player(game); !set.ok()) fail(set.error());
+  measure_halves(
+      io_host, io_window, io_variables,
+      fmt::format("lq_e1m2, {} monsters after the player", bench::monsters_of(game.world()).size()), now_s);
+}
+
 int run(const char* data, const char* progs) {
   platform::headless::HeadlessWindow window({.size = {1920, 1080}});
   command::Variables variables;
@@ -85,6 +150,7 @@ int run(const char* data, const char* progs) {
               fmt::format("{:.2f} s", window.now_s() - typed_s), "under 0.5 s");
     measure_latency(host, window, map);
   }
+  measure_two_halves(host, window, variables);
   return 0;
 }
 

@@ -12,11 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "bench/served/crowd.h"
 #include "client/connection.h"
-#include "server/move_trace.h"
 #include "server/server.h"
 #include "support/bad_network.h"
-#include "support/random.h"
 
 namespace temblor {
 namespace {
@@ -108,63 +107,9 @@ class Bench {
   double now_s_ = 1;
 };
 
-std::vector<vm::EntityIndex> monsters_of(server::GameWorld& world) {
-  std::vector<vm::EntityIndex> monsters;
-  for (std::uint32_t i = 1; i < world.edicts.count(); ++i) {
-    const vm::EntityIndex index{i};
-    if (!world.edicts.is_free(index) && world.edicts[index].has_flag(server::flag::kMonster))
-      monsters.push_back(index);
-  }
-  return monsters;
-}
-
-// Copies of the level's own monsters, near them but apart, until there are so many that think.
-void add_monsters(server::Game& io_game) {
-  server::GameWorld& world = io_game.world();
-  const std::vector<vm::EntityIndex> own = monsters_of(world);
-  test::Random random(5);
-  std::size_t count = own.size();
-  for (int attempt = 0; !own.empty() && count < kMonsters && attempt < 200'000; ++attempt) {
-    const server::Edict model = world.edicts[own[random.below(own.size())]];
-    const math::Vec3 from = model[server::field::kOrigin];
-    const math::Vec3 place =
-        server::trace_move(world, from, model[server::field::kMins], model[server::field::kMaxs],
-                           from + random.in_cube(500) * math::Vec3{1, 1, 0}, server::MoveKind::kNoMonsters,
-                           model.index())
-            .trace.end;
-    const auto copy = world.edicts.spawn(world.time_s);
-    if (!copy.ok()) fail(copy.error());
-    const server::Edict edict = world.edicts[*copy];
-    const auto words = world.edicts[model.index()].words();
-    std::copy(words.begin(), words.end(), edict.words().begin());
-    edict.set(server::field::kOrigin, place);
-    if (server::is_stuck(world, *copy)) {
-      world.edicts.free(*copy, 0);  // long ago: the next one takes its place
-      continue;
-    }
-    if (const auto linked = server::link(world, *copy, server::TouchTriggers::kNo); !linked.ok())
-      fail(linked.error());
-    ++count;
-  }
-}
-
-// All of them are after the player, who cannot be hurt.
-void set_upon_player(server::Game& io_game) {
-  server::GameWorld& world = io_game.world();
-  const vm::FunctionIndex hunt = io_game.machine().program().find_function("start_hunt");
-  if (hunt == vm::kNoFunction) std::abort();
-  const server::Edict player = io_game.player(0);
-  player.set_flag(server::flag::kGodMode);
-  for (const vm::EntityIndex monster : monsters_of(world)) {
-    world.edicts[monster].set(server::field::kEnemy, player.index());
-    if (const auto called = world.calls.call(hunt, monster, vm::EntityIndex{0}, world.time_s); !called.ok())
-      fail(called.error());
-  }
-}
-
 std::vector<math::Vec3> places_of_monsters(server::Game& io_game) {
   std::vector<math::Vec3> places;
-  for (const vm::EntityIndex monster : monsters_of(io_game.world()))
+  for (const vm::EntityIndex monster : bench::monsters_of(io_game.world()))
     places.push_back(io_game.world().edicts[monster][server::field::kOrigin]);
   return places;
 }
@@ -178,18 +123,19 @@ std::size_t count_moved(const std::vector<math::Vec3>& before, const std::vector
 
 void bench_monsters(const std::filesystem::path& data, const std::filesystem::path& progs, bool hunt) {
   for (const char* map : {"lq_e0m1", "lq_e1m2"}) {
-    Bench bench(data, progs, 4);
-    if (!bench.variables().set("sv_protocol", "666").ok()) std::abort();
-    bench.start(map);
-    bench.join(1);
-    server::Game& game = *bench.server().game();
-    add_monsters(game);
-    if (hunt) set_upon_player(game);
-    bench.play(1, true);
+    Bench served(data, progs, 4);
+    if (!served.variables().set("sv_protocol", "666").ok()) std::abort();
+    served.start(map);
+    served.join(1);
+    server::Game& game = *served.server().game();
+    if (const base::Status added = bench::add_monsters(kMonsters, game); !added.ok()) fail(added.error());
+    if (hunt)
+      if (const base::Status set = bench::set_upon_player(game); !set.ok()) fail(set.error());
+    served.play(1, true);
     const std::vector<math::Vec3> places = places_of_monsters(game);
     const std::uint64_t before = game.machine().instructions_run();
     constexpr double kPlayed_s = 20;
-    const double cost_s = bench.play(kPlayed_s, true);
+    const double cost_s = served.play(kPlayed_s, true);
     const auto instructions = static_cast<double>(game.machine().instructions_run() - before);
     const std::vector<math::Vec3> later = places_of_monsters(game);
     fmt::print(

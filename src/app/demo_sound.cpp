@@ -76,10 +76,11 @@ class SoundTrack {
     if (track == track_) return;
     track_ = track;
     music_.reset();
-    base::Result<assets::MusicFile> file = demo_.library.music(track);
+    const base::Result<assets::MusicFile> file = demo_.library.music(track);
     if (!file.ok()) return;
-    base::Result<audio::MusicDecoder> music =
-        audio::MusicDecoder::open(std::move(file->bytes)).with_file(file->name);
+    const base::Result<base::ByteVector> bytes = file->read();
+    if (!bytes.ok()) return print_note(bytes.error().message() + "; no music");
+    base::Result<audio::MusicDecoder> music = audio::MusicDecoder::open(*bytes).with_file(file->name);
     if (music.ok())
       music_.emplace(std::move(music).value());
     else

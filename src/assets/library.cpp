@@ -64,8 +64,7 @@ base::Result<MusicFile> Library::music(int track) const {
     error.file = stem;
     return error;
   }
-  TRY(base::ByteVector bytes, files_.read(best));
-  return MusicFile{files_.describe(best), std::move(bytes)};
+  return MusicFile{files_.describe(best), files_.reader(best)};
 }
 
 std::array<formats::Image, 6> Library::skybox(std::string_view name,

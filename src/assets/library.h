@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,10 +19,10 @@
 
 namespace temblor::assets {
 
-// Undecoded.
 struct MusicFile {
   std::string name;  // for messages: where it was found
-  base::ByteVector bytes;
+  // Undecoded. Takes as long as the disk does; by any thread, even when the library is gone.
+  std::function<base::Result<base::ByteVector>()> read;
 };
 
 class Library {

@@ -1,12 +1,17 @@
 #include "audio/live_mixer.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "audio/fold_events.h"
 
 namespace temblor::audio {
 namespace {
 
 // Frames come unevenly, and the device asks unevenly: a movement takes about as long as both.
 constexpr std::size_t kGlide_frames = kFramesPerSecond / 50;
+// Devices ask 50 times a second at least: more are waiting only where one hangs.
+constexpr std::size_t kMostPosts = 256;
 
 }  // namespace
 
@@ -27,8 +32,20 @@ void LiveMixer::post(const Scene& scene, const SoundEvents& events) {
   if (incoming_.is_read) incoming_.clear();
   incoming_.scene = scene;
   if (events.empty()) return;
+  // What a level began with before another one began is not news either.
+  if (events.begins_anew) incoming_.fold_all();
+  if (incoming_.count >= kMostPosts || (events.begins_anew && incoming_.count > 0))
+    return fold(events, incoming_.events[incoming_.count - 1]);
   if (incoming_.count == incoming_.events.size()) incoming_.events.emplace_back();
   incoming_.events[incoming_.count++] = events;
+}
+
+void LiveMixer::Mail::fold_all() {
+  for (std::size_t i = 1; i < count; ++i) {
+    fold(events[i], events[0]);
+    events[i].clear();
+  }
+  count = std::min(count, std::size_t{1});
 }
 
 // What was taken the last time goes back to be cleared by the thread that may free.

@@ -17,10 +17,12 @@ class LiveMixer {
   LiveMixer();
 
   // From the game's thread. How things are now, and what has happened since the last time; taken up when the
-  // device next asks, a few milliseconds later.
+  // device next asks, a few milliseconds later. Where it does not ask for long, what would have been over by
+  // then is left out, so that no more than so much waits.
   void post(const Scene& scene, const SoundEvents& events);
-  // Nothing: silence.
-  void play_music(std::optional<MusicDecoder> music) { music_.play(std::move(music)); }
+  // As of MusicStream.
+  void play_music(OpenMusic open) { music_.play(std::move(open)); }
+  std::optional<base::Error> take_music_failure() { return music_.take_failure(); }
   void pause_music(bool paused) { music_.set_paused(paused); }
   // The file that is being played turned out to be damaged.
   bool music_has_failed() const { return music_.has_failed(); }
@@ -39,6 +41,7 @@ class LiveMixer {
     std::vector<SoundPtr> done;  // on its way back, to be freed
     bool is_read = false;        // nothing in it is news
     void clear();
+    void fold_all();
   };
   void take_mail();
 

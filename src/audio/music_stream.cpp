@@ -20,31 +20,49 @@ MusicStream::~MusicStream() {
   {
     const std::lock_guard lock(mutex_);
     quits_ = true;
+    is_called_ = true;
   }
   wake_.notify_one();
   thread_.join();
 }
 
-void MusicStream::play(std::optional<MusicDecoder> music) {
+void MusicStream::play(OpenMusic open) {
   {
     const std::lock_guard lock(mutex_);
-    std::swap(next_, music);
+    std::swap(next_, open);
     has_next_ = true;
+    is_called_ = true;
     has_failed_ = false;  // the music before may have
+    failure_.reset();
   }
   wake_.notify_one();
+}
+
+std::optional<base::Error> MusicStream::take_failure() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(failure_, std::nullopt);
+}
+
+// What is still to be read belongs to the music before.
+void MusicStream::open_next(std::unique_lock<std::mutex>& io_lock) {
+  const OpenMusic open = std::exchange(next_, nullptr);
+  has_next_ = is_called_ = has_failed_ = false;
+  decoder_.reset();
+  dropped_.store(written_, std::memory_order_release);
+  if (open == nullptr) return;
+  io_lock.unlock();
+  base::Result<MusicDecoder> opened = open();
+  io_lock.lock();
+  if (opened.ok())
+    decoder_.emplace(std::move(opened).value());
+  else if (!has_next_)
+    failure_ = opened.error();
 }
 
 void MusicStream::decode_ahead() {
   std::unique_lock lock(mutex_);
   while (!quits_) {
-    if (has_next_) {
-      decoder_ = std::exchange(next_, std::nullopt);
-      has_next_ = false;
-      has_failed_ = false;
-      // What is still to be read belongs to the music before.
-      dropped_.store(written_, std::memory_order_release);
-    }
+    if (has_next_) open_next(lock);
     lock.unlock();
     fill();
     lock.lock();
@@ -59,14 +77,14 @@ void MusicStream::decode_ahead() {
 void MusicStream::fill() {
   if (!decoder_) return;
   std::size_t written = written_.load(std::memory_order_relaxed);
-  while (kRing_frames - (written - read_.load(std::memory_order_acquire)) >= kPiece_frames) {
+  while (!is_called_ && kRing_frames - (written - read_.load(std::memory_order_acquire)) >= kPiece_frames) {
     // Pieces divide the ring, so that none goes over its end.
     const std::span<float> piece = std::span(ring_).subspan(2 * (written % kRing_frames), 2 * kPiece_frames);
     decoder_->read(piece);
     written += kPiece_frames;
     written_.store(written, std::memory_order_release);
   }
-  has_failed_ = decoder_->has_failed();
+  if (!is_called_) has_failed_ = decoder_->has_failed();
 }
 
 std::size_t MusicStream::frames_ready() const {

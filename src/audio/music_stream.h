@@ -5,6 +5,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -15,6 +16,9 @@
 
 namespace temblor::audio {
 
+// Reads and opens a file of music; on whichever thread decodes it.
+using OpenMusic = std::function<base::Result<MusicDecoder>()>;
+
 class MusicStream {
  public:
   MusicStream();
@@ -22,8 +26,10 @@ class MusicStream {
   MusicStream(const MusicStream&) = delete;
   MusicStream& operator=(const MusicStream&) = delete;
 
-  // From the thread that made it. What played before stops; nothing: silence.
-  void play(std::optional<MusicDecoder> music);
+  // From the thread that made it, which never waits for a file. What played before stops; null: silence.
+  void play(OpenMusic open);
+  // Why what was to be played is not, once.
+  std::optional<base::Error> take_failure();
   void set_paused(bool paused) { paused_ = paused; }
   // The file that is being played turned out to be damaged.
   bool has_failed() const { return has_failed_; }
@@ -39,6 +45,7 @@ class MusicStream {
   static constexpr std::size_t kRing_frames = std::size_t{1} << 15;  // 0.7 s
 
   void decode_ahead();
+  void open_next(std::unique_lock<std::mutex>& io_lock);
   void fill();
   void take(std::span<float> out_samples, std::size_t from_frame);
   void bridge(std::span<float> io_samples);
@@ -54,8 +61,10 @@ class MusicStream {
 
   std::mutex mutex_;  // between play() and the decoder's thread
   std::condition_variable wake_;
-  std::optional<MusicDecoder> next_;
+  OpenMusic next_;
+  std::optional<base::Error> failure_;
   bool has_next_ = false, quits_ = false;
+  std::atomic<bool> is_called_{false};  // one of both, for who does not hold the mutex
 
   std::optional<MusicDecoder> decoder_;  // the decoder's thread's
   std::thread thread_;                   // last: it uses all of the above

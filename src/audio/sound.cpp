@@ -51,9 +51,10 @@ Plan plan_without_loop(std::vector<float> source, double ratio) {
 }
 
 Plan plan_with_loop(std::vector<float> source, const formats::WavLoop& loop, double ratio) {
-  const double frames = loop.end - loop.start;
-  const auto loop_length =
-      std::max(static_cast<std::size_t>(1), static_cast<std::size_t>(std::llround(frames * ratio)));
+  const std::size_t once = loop.end - loop.start;
+  const double repeats = std::ceil(static_cast<double>(kShortestLoop) / (static_cast<double>(once) * ratio));
+  const double frames = static_cast<double>(once) * std::max(repeats, 1.0);
+  const auto loop_length = static_cast<std::size_t>(std::llround(frames * ratio));
   Plan plan;
   plan.ratio = static_cast<double>(loop_length) / frames;
   const double reach = std::ceil(kFilterReach * std::max(1.0, 1 / plan.ratio));
@@ -63,7 +64,7 @@ Plan plan_with_loop(std::vector<float> source, const formats::WavLoop& loop, dou
   const auto needed =
       static_cast<std::size_t>(std::ceil(static_cast<double>(plan.length) / plan.ratio + reach)) + 1;
   source.resize(loop.end);
-  while (source.size() < needed) source.push_back(source[source.size() - (loop.end - loop.start)]);
+  while (source.size() < needed) source.push_back(source[source.size() - once]);
   plan.source = std::move(source);
   return plan;
 }

@@ -14,8 +14,11 @@ namespace temblor::audio {
 
 // What the mixer makes, whatever the device; devices convert.
 constexpr int kFramesPerSecond = 48000;
-// A sound that lasts longer is an error: it would take too much memory, and music is played otherwise.
-constexpr int kMaxSound_s = 600;
+// A sound that lasts longer is an error: it would be 12 MB and half a second of resampling, and music is
+// played otherwise. The longest of LibreQuake, a wind, lasts for 32 s.
+constexpr int kMaxSound_s = 60;
+// A loop that is shorter is written out several times, or mixing it would be all beginnings.
+constexpr std::size_t kShortestLoop = 1024;  // samples
 
 struct SoundLoop {
   std::size_t start = 0, end = 0;  // start < end <= samples.size()

@@ -32,6 +32,29 @@ void Events::clear() {
   new_level = false;
 }
 
+namespace {
+
+template <typename T>
+std::size_t bytes_of(const std::vector<T>& list) {
+  return list.size() * sizeof(T);
+}
+
+std::size_t bytes_of(const std::vector<std::string>& list) {
+  std::size_t bytes = list.size() * sizeof(std::string);
+  for (const std::string& text : list) bytes += text.size();
+  return bytes;
+}
+
+}  // namespace
+
+std::size_t ClientState::memory_bytes() const {
+  const Events& e = events_;
+  return sizeof(ClientState) + entities_.memory_bytes() + bytes_of(game_.models) + bytes_of(game_.sounds) +
+         bytes_of(game_.players) + game_.ending_text.size() + game_.center_text.size() +
+         bytes_of(e.temp_entities) + bytes_of(e.particles) + bytes_of(e.damages) + bytes_of(e.sounds) +
+         bytes_of(e.stopped_sounds) + bytes_of(e.static_sounds) + bytes_of(e.prints) + bytes_of(e.commands);
+}
+
 void ClientState::end_packet() {
   entities_.end_packet();
 }

@@ -126,6 +126,9 @@ class ClientState {
   Events& events() { return events_; }
   const Events& events() const { return events_; }
 
+  // About what a copy of it takes.
+  std::size_t memory_bytes() const;
+
   // The server's times of the last two packets, the same before there were two. Drawing happens between them.
   double time_s() const { return window_.end_s; }
   double previous_time_s() const { return previous_time_s_; }

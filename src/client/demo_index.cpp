@@ -30,13 +30,21 @@ void DemoIndex::add(const DemoPlayer& player, const EffectCounts& effects,
   if (!entries_.empty() && !begins_level && time_s < entries_.back().time_s + spacing_s_) return;
   if (entries_.size() == kMaxEntries) thin_out();
   entries_.push_back({player.place(), time_s, begins_level, effects, static_sounds});
+  bytes_ += bytes_of(entries_.back());
+  while (bytes_ > kMaxBytes && entries_.size() > 2) thin_out();
+}
+
+std::size_t DemoIndex::bytes_of(const Entry& entry) {
+  return entry.place.memory_bytes() + entry.static_sounds.size() * sizeof(net::SpawnStaticSound);
 }
 
 // Every second one goes. The first stays, as all that comes before the second has to start there.
 void DemoIndex::thin_out() {
   std::size_t kept = 0;
+  bytes_ = 0;
   for (std::size_t i = 0; i < entries_.size(); i += 2) {
     if (i != kept) entries_[kept] = std::move(entries_[i]);
+    bytes_ += bytes_of(entries_[kept]);
     ++kept;
   }
   entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(kept), entries_.end());

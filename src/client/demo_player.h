@@ -74,6 +74,8 @@ class DemoPlayer {
   class Place {
    public:
     explicit Place(formats::DemReader reader) : demo(reader) {}
+    // About what a copy of it takes.
+    std::size_t memory_bytes() const { return sizeof(Place) + state.memory_bytes(); }
 
    private:
     friend class DemoPlayer;

@@ -55,7 +55,9 @@ base::Result<bool> DemoSession::step(int packets, const PresentationSettings& se
   const std::vector<double>& times_s = index_.packet_times_s();
   if (packets <= 0) {
     const auto here = std::lower_bound(times_s.begin(), times_s.end(), time_s_) - times_s.begin();
-    return seek(times_s[static_cast<std::size_t>(std::max<std::ptrdiff_t>(here + packets, 0))], settings);
+    const std::ptrdiff_t last = static_cast<std::ptrdiff_t>(times_s.size()) - 1;
+    const std::ptrdiff_t wanted = std::clamp<std::ptrdiff_t>(here + packets, 0, last);
+    return seek(times_s[static_cast<std::size_t>(wanted)], settings);
   }
   const auto next = std::upper_bound(times_s.begin(), times_s.end(), time_s_) - times_s.begin();
   const auto wanted = static_cast<std::size_t>(next + packets - 1);

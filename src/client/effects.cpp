@@ -105,7 +105,7 @@ struct Effects::State {
   void mark(std::optional<Hit> hit, const Moment& moment);
   void go_on(const Moment& moment);
   void leave_trail(const SeenEntity& entity, TrailKind kind, double time_s);
-  void shine(const SeenEntity& entity, bool rocket, double time_s);
+  void shine(const SeenEntity& entity, const math::Vec3& origin_world, bool rocket, double time_s);
   std::optional<Beams::Held> held_beam(const Moment& moment) const;
 
   std::uint32_t seed;
@@ -199,8 +199,11 @@ void Effects::State::go_on(const Moment& moment) {
     const std::optional<TrailKind> trail = trail_kind(flags);
     if (trail && entity.has_come) trails.begin(entity.number, entity.origin_world);
     if (trail) leave_trail(entity, *trail, moment.time_s);
-    if (entity.effects & kEffectBrightField) show_bright_field(particles, moment.time_s, entity.origin_world);
-    shine(entity, trail == TrailKind::kRocket, moment.time_s);
+    const math::Vec3 place_world = entity.number == moment.view_entity && moment.own_origin_world
+                                       ? *moment.own_origin_world
+                                       : entity.origin_world;
+    if (entity.effects & kEffectBrightField) show_bright_field(particles, moment.time_s, place_world);
+    shine(entity, place_world, trail == TrailKind::kRocket, moment.time_s);
   }
 }
 
@@ -211,9 +214,10 @@ void Effects::State::leave_trail(const SeenEntity& entity, TrailKind kind, doubl
 }
 
 // An entity has one light: a later one of these takes the place of an earlier.
-void Effects::State::shine(const SeenEntity& entity, bool rocket, double time_s) {
-  LightBirth light{.entity = entity.number, .origin_world = entity.origin_world, .born_s = time_s};
-  const math::Vec3 above = entity.origin_world + math::Vec3(0, 0, 16);
+void Effects::State::shine(const SeenEntity& entity, const math::Vec3& origin_world, bool rocket,
+                           double time_s) {
+  LightBirth light{.entity = entity.number, .origin_world = origin_world, .born_s = time_s};
+  const math::Vec3 above = origin_world + math::Vec3(0, 0, 16);
   const float flicker = light_flicker(entity.number, time_s);
   if (entity.muzzle_flash_now || entity.effects & kEffectMuzzleFlash) {
     LightBirth flash = light;
@@ -229,7 +233,7 @@ void Effects::State::shine(const SeenEntity& entity, bool rocket, double time_s)
     light.radius = 400 + flicker;
     lights.add(light);
   }
-  light.origin_world = entity.origin_world;
+  light.origin_world = origin_world;
   if (entity.effects & kEffectDimLight) {
     light.radius = 200 + flicker;
     lights.add(light);
@@ -243,7 +247,7 @@ void Effects::State::shine(const SeenEntity& entity, bool rocket, double time_s)
 std::optional<Beams::Held> Effects::State::held_beam(const Moment& moment) const {
   const SeenEntity* const viewer = find_entity(moment.entities, moment.view_entity);
   if (viewer == nullptr) return std::nullopt;
-  return Beams::Held{viewer->number, viewer->origin_world};
+  return Beams::Held{viewer->number, moment.own_origin_world.value_or(viewer->origin_world)};
 }
 
 Effects::Effects(std::uint32_t seed) : state_(std::make_unique<State>(seed)) {}

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "client/beams.h"
@@ -27,6 +28,8 @@ struct Moment {
   std::span<const SeenEntity> entities;
   std::span<const std::uint32_t> model_flags;  // formats::MdlFlags by precache number; missing ones: none
   std::uint32_t view_entity;
+  // Where the view entity is shown, if that is not where it is told to be: its lights and beams go with it.
+  std::optional<math::Vec3> own_origin_world{};
 };
 
 // The yaw of models that turn by themselves (formats::kMdlRotate), 0 to 360.

@@ -123,6 +123,11 @@ bool EntityTable::has_jumped(std::uint16_t number) const {
   return number < entities_.size() && entities_[number].jumped;
 }
 
+std::size_t EntityTable::memory_bytes() const {
+  return entities_.size() * sizeof(Entity) + (arriving_.size() + shown_.size()) * sizeof(std::uint16_t) +
+         (statics_.size() + seen_.size()) * sizeof(SeenEntity);
+}
+
 void EntityTable::latest(std::vector<EntityPlace>& out_places) const {
   out_places.clear();
   for (const std::uint16_t number : shown_)

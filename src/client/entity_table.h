@@ -30,6 +30,7 @@ class EntityTable {
   // From here on updates belong to a new packet.
   void begin_packet() { ++packet_, arriving_.clear(); }
   void update(const net::EntityUpdate& update, const PacketWindow& window);
+  std::size_t memory_bytes() const;
   // Who had no update since begin_packet() is gone.
   void end_packet();
 

@@ -21,6 +21,7 @@ constexpr float kLedgeAhead = 24, kAboveLedge = 8, kLedgeSpeed = 50, kLedgeRise 
 constexpr double kLedgeJump_s = 2;
 constexpr math::Bounds kPlayerBox{movement::kPlayerMins, movement::kPlayerMaxs};
 constexpr math::Bounds kPoint{};
+constexpr std::size_t kPassedOverForOne = 128;
 
 movement::Gait gait_of(std::uint8_t move_type) {
   switch (move_type) {
@@ -59,6 +60,7 @@ class Surroundings final : public movement::WalkEnvironment {
   world::Trace line(const math::Vec3& start, const math::Vec3& end) const {
     return contact(kPoint, start, end, 0).trace;
   }
+  std::size_t effort() const { return effort_; }
   // Past one entity.
   math::Vec3 carried(const math::Vec3& start, const math::Vec3& end, std::uint32_t passing) const {
     return contact(kPlayerBox, start, end, passing).trace.end;
@@ -80,12 +82,14 @@ class Surroundings final : public movement::WalkEnvironment {
         world::trace_box_through(world_.level, world::ModelIndex{0}, math::Vec3(0.0f), box, start, end);
     nearest.hit = nearest.trace.fraction < 1 || nearest.trace.start_solid;
     nearest.can_stand_on = true;
+    effort_ += 1 + world_.solids.size() / kPassedOverForOne;
     for (const SolidModel& solid : world_.solids) {
       if (passing != 0 && solid.entity == passing) continue;
       const bool is_ride = predicted_.ride && solid.entity == predicted_.ride_entity;
       const math::Vec3& origin = is_ride ? predicted_.ride->origin : solid.origin;
       const world::Model& model = world_.level.models[base::to_size(solid.model)];
       if (!comes_near(model.bounds, origin, box, start, end)) continue;
+      ++effort_;
       const world::Trace trace = world::trace_box_through(world_.level, solid.model, origin, box, start, end);
       // Places of models are told in eighths of a unit: who seems to be in one only touches it.
       if (trace.start_solid || trace.fraction >= nearest.trace.fraction) continue;
@@ -96,6 +100,7 @@ class Surroundings final : public movement::WalkEnvironment {
 
   const PredictionWorld& world_;
   const PredictedPlayer& predicted_;
+  mutable std::size_t effort_ = 0;  // of all that was asked
 };
 
 // At the edge of a pool: a wall at the waist and nothing above the eyes lifts the swimmer out.
@@ -210,8 +215,8 @@ bool is_predictable(const PredictedPlayer& predicted) {
   return predicted.player.is_alive && gait != movement::Gait::kStill && gait != movement::Gait::kThrown;
 }
 
-void step(PredictedPlayer& io_predicted, const net::Move& move, double duration_s,
-          const PredictionWorld& world) {
+std::size_t step(PredictedPlayer& io_predicted, const net::Move& move, double duration_s,
+                 const PredictionWorld& world) {
   movement::Player& player = io_predicted.player;
   const auto tick_s = static_cast<float>(duration_s);
   Surroundings surroundings(world, io_predicted);
@@ -235,6 +240,7 @@ void step(PredictedPlayer& io_predicted, const net::Move& move, double duration_
   }
   ride_on(io_predicted, tick_s, surroundings);
   player.settled_in_s -= duration_s;
+  return surroundings.effort();
 }
 
 }  // namespace temblor::client

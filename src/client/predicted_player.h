@@ -1,6 +1,7 @@
 // One step of a player as a client sees it coming: what the server will make of a move, without its program.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -41,9 +42,11 @@ struct PredictedPlayer {
 PredictedPlayer predicted_from(const net::MoveAcknowledgement& told);
 // Whether a client can know how he goes on: who lives and walks, flies or goes through walls.
 bool is_predictable(const PredictedPlayer& predicted);
-// As far as he gets by that move in `duration_s`, a tick or a part of one. For whom is_predictable().
-void step(PredictedPlayer& io_predicted, const net::Move& move, double duration_s,
-          const PredictionWorld& world);
+// As far as he gets by that move in `duration_s`, a tick or a part of one. For whom is_predictable(). Returns
+// what it took: one for each trace through the level or a model, and for each 128 models that were passed
+// over.
+std::size_t step(PredictedPlayer& io_predicted, const net::Move& move, double duration_s,
+                 const PredictionWorld& world);
 
 movement::Settings settings_of(const net::MoveTerms& terms);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "client/interpolation.h"
+#include "client/near_solids.h"
 
 namespace temblor::client {
 namespace {
@@ -43,13 +44,14 @@ void Prediction::take_up_solids(const ClientState& state, const world::Level& le
   for (const EntityPlace& place : places_)
     if (const auto model = brush_model(state.game(), place.model, level))
       solids_.push_back({place.number, *model, place.origin_world});
+  keep_nearest(solids_, level, told_->origin, kMostSolids);
 }
 
 void Prediction::play_sent_moves(std::uint32_t after, const PredictionWorld& world,
-                                 PredictedPlayer& io_whole) const {
+                                 PredictedPlayer& io_whole) {
   for (const NumberedMove& sent : moves_)
-    if (sent.number > after && is_predictable(io_whole))
-      step(io_whole, sent.move, terms_->world_tick_s, world);
+    if (sent.number > after && is_predictable(io_whole) && effort_ < kMostEffort)
+      effort_ += step(io_whole, sent.move, terms_->world_tick_s, world);
 }
 
 // How far a mover is drawn from where the prediction has it.
@@ -64,10 +66,11 @@ math::Vec3 Prediction::lag_of(std::uint32_t ground, const PredictedPlayer& predi
 }
 
 Prediction::Shown Prediction::shown(const PredictedPlayer& whole, const PredictionWorld& world,
-                                    std::span<const SeenEntity> drawn) const {
+                                    std::span<const SeenEntity> drawn) {
   Shown shown{whole};
   movement::Body& body = shown.predicted.player.body;
-  if (doing_for_s_ > 0 && is_predictable(whole)) step(shown.predicted, doing_, doing_for_s_, world);
+  if (doing_for_s_ > 0 && is_predictable(whole) && effort_ < kMostEffort)
+    effort_ += step(shown.predicted, doing_, doing_for_s_, world);
   // The beginning of a tick's fall does not reach the floor that the whole of it does.
   const bool has_left = body.velocity.z > 0 && !body.on_ground;
   const float fallen = whole.player.body.origin.z - body.origin.z;
@@ -107,7 +110,14 @@ std::optional<OwnMotion> Prediction::advance(const ClientState& state, const wor
     moves_.clear();
     doing_for_s_ = 0;
   }
+  effort_ = 0;
   const Shown now = whole_ ? go_on(state, level, drawn) : begin(state, level, drawn);
+  if (effort_ >= kMostEffort) {
+    ++report_.given_up;
+    whole_.reset();
+    error_ = math::Vec3(0.0f);
+    return std::nullopt;
+  }
   played_ = moves_.empty() ? told_->number : std::max(moves_.back().number, told_->number);
   ground_ = now.ground;
   shown_at_s_ = now_s_;

@@ -23,16 +23,22 @@ struct PredictionReport {
   std::uint64_t corrections = 0;  // by more than a hundredth of a unit
   float largest_units = 0;        // of them
   float largest_jump_units = 0;   // that one frame has shown of them, and of steps on and off lifts
+  std::uint64_t given_up = 0;     // frames that would have taken too long: none was made in them
   float unpredicted_units = 0;    // those too large to be a mistake, which are not counted above: teleports
 };
 
 class Prediction {
  public:
+  // However many brush models a server shows, and however it moves the player about: the nearest so many
+  // count, and a frame takes this much of step()'s effort, but for the last step's, before it gives up.
+  static constexpr std::size_t kMostSolids = 512, kMostEffort = 1 << 15;
+
   // Once a frame, after Connection::update() and the frame's moves. `doing`: what the player does since the
   // last move (its buttons and impulse included), which has not been sent yet.
   void begin_frame(const Connection& connection, const net::Move& doing, double now_s);
-  // Where the player is to be shown; nothing where the server does not take numbered moves, or somebody
-  // else's eyes are looked through. `drawn`: the entities as this frame draws them. Once a frame.
+  // Where the player is to be shown; nothing where the server does not take numbered moves, somebody
+  // else's eyes are looked through, or it would take too long. `drawn`: the entities as this frame draws
+  // them. Once a frame.
   std::optional<OwnMotion> advance(const ClientState& state, const world::Level& level,
                                    std::span<const SeenEntity> drawn);
 
@@ -51,11 +57,10 @@ class Prediction {
   PredictionWorld world_around(const ClientState& state, const world::Level& level) const;
   Shown begin(const ClientState& state, const world::Level& level, std::span<const SeenEntity> drawn);
   Shown go_on(const ClientState& state, const world::Level& level, std::span<const SeenEntity> drawn);
-  Shown shown(const PredictedPlayer& whole, const PredictionWorld& world,
-              std::span<const SeenEntity> drawn) const;
+  Shown shown(const PredictedPlayer& whole, const PredictionWorld& world, std::span<const SeenEntity> drawn);
   math::Vec3 lag_of(std::uint32_t ground, const PredictedPlayer& predicted,
                     std::span<const SeenEntity> drawn) const;
-  void play_sent_moves(std::uint32_t after, const PredictionWorld& world, PredictedPlayer& io_whole) const;
+  void play_sent_moves(std::uint32_t after, const PredictionWorld& world, PredictedPlayer& io_whole);
   void take_up_solids(const ClientState& state, const world::Level& level);
   void correct(const math::Vec3& before, const math::Vec3& now);
 
@@ -67,6 +72,7 @@ class Prediction {
   net::Move doing_;
   double doing_for_s_ = 0;
   double now_s_ = 0;
+  std::size_t effort_ = 0;
 
   // From frame to frame.
   std::vector<EntityPlace> places_;

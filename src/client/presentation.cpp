@@ -73,10 +73,13 @@ Presentation::Sight Presentation::look(ClientState& io_state, double time_s,
   client_settings_.interpolate = settings.interpolate;
   const std::span<const SeenEntity> entities = io_state.entities_at(time_s, client_settings_);
   const world::Level& level = *models_->level();
-  effects_.advance(io_state.events(), {level, time_s, entities, models_->flags(), game.view_entity},
-                   settings.effects);
   ViewMoment moment{time_s, view_angles_deg, find_entity(entities, game.view_entity), level};
   if (prediction_ && settings.predict) moment.own = prediction_->advance(io_state, level, entities);
+  std::optional<math::Vec3> own_origin_world;
+  if (moment.own) own_origin_world = moment.own->origin_world;
+  effects_.advance(io_state.events(),
+                   {level, time_s, entities, models_->flags(), game.view_entity, own_origin_world},
+                   settings.effects);
   PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
   if (settings.camera) view = view_from(*settings.camera, level, settings.view);
   hud_.advance(game, io_state.events(), time_s);

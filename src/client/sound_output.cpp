@@ -52,6 +52,8 @@ void SoundOutput::advance(double time_s, const audio::Scene& scene, const audio:
   mixer_.post(scene, events);
   if (!device_) pass_without_device(time_s);
   time_s_ = time_s;
+  if (const std::optional<base::Error> failure = mixer_.take_music_failure())
+    notes_.push_back(fmt::format("{}; no music", failure->message()));
   if (mixer_.music_has_failed() && !has_noted_music_) {
     has_noted_music_ = true;
     notes_.push_back(fmt::format("the music of track {} is damaged; it stops there", track_));
@@ -63,19 +65,12 @@ void SoundOutput::play_music(const assets::Library& library, int track) {
   track_ = track;
   has_noted_music_ = false;
   base::Result<assets::MusicFile> file = library.music(track);
-  if (track == 0 || !file.ok()) {
-    // Most installations have no music, or not all of it.
-    if (track != 0 && file.error().code != base::ErrorCode::kNotFound)
-      notes_.push_back(file.error().message());
-    return mixer_.play_music(std::nullopt);
-  }
-  base::Result<audio::MusicDecoder> music =
-      audio::MusicDecoder::open(std::move(file->bytes)).with_file(file->name);
-  if (!music.ok()) {
-    notes_.push_back(fmt::format("{}; no music", music.error().message()));
-    return mixer_.play_music(std::nullopt);
-  }
-  mixer_.play_music(std::move(music).value());
+  // Most installations have no music, or not all of it.
+  if (track == 0 || !file.ok()) return mixer_.play_music(nullptr);
+  mixer_.play_music([file = std::move(file).value()]() -> base::Result<audio::MusicDecoder> {
+    TRY(base::ByteVector bytes, file.read());
+    return audio::MusicDecoder::open(std::move(bytes)).with_file(file.name);
+  });
 }
 
 std::string SoundOutput::describe() const {

@@ -28,6 +28,7 @@ class SoundOutput {
   void advance(double time_s, const audio::Scene& scene, const audio::SoundEvents& events);
 
   // The number of the track, as servers tell it; 0: none. Another call for what is playing changes nothing.
+  // The file is read elsewhere: what is wrong with it is noted by a later advance().
   void play_music(const assets::Library& library, int track);
   void pause_music(bool paused) { mixer_.pause_music(paused); }
 

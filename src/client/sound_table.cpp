@@ -10,8 +10,9 @@
 namespace temblor::client {
 namespace {
 
-// 256 MB: game code names whatever it likes. The rest is loaded when it is heard.
-constexpr std::size_t kMostLoadedAhead_samples = std::size_t{1} << 26;
+std::size_t samples_of(const audio::SoundPtr& sound) {
+  return sound ? sound->samples.size() : 0;
+}
 
 std::string file_name_of(std::string_view sound) {
   std::string name = base::to_lower(sound);
@@ -43,11 +44,20 @@ audio::SoundPtr SoundTable::find_or_load(Sounds& io_sounds, const std::string& n
   std::unique_lock lock(mutex_);
   auto found = io_sounds.find(name);
   if (found == io_sounds.end()) {
+    if (is_full()) {
+      if (!std::exchange(has_noted_limit_, true))
+        notes_.push_back(
+            fmt::format("sound/{}: it and further ones stay silent, for there are {} of {} MB already",
+                        base::printable(name), sounds_.size(), (samples_ * sizeof(float)) >> 20));
+      return nullptr;
+    }
     lock.unlock();
     Loaded loaded = load(name, repeats);
     lock.lock();
     // Whoever was first, it is the same.
-    found = io_sounds.emplace(name, std::move(loaded)).first;
+    const auto [place, is_new] = io_sounds.emplace(name, std::move(loaded));
+    found = place;
+    if (is_new) samples_ += samples_of(found->second.sound);
   }
   Loaded& loaded = found->second;
   if (!loaded.note.empty()) notes_.push_back(std::exchange(loaded.note, {}));
@@ -56,18 +66,17 @@ audio::SoundPtr SoundTable::find_or_load(Sounds& io_sounds, const std::string& n
 
 // In the order of the list: what game code names first (the weapons) is likely to be heard first.
 void SoundTable::load_ahead(const std::vector<std::string>& names) {
-  std::size_t samples = 0;
   for (const std::string& name : names) {
     if (stops_) return;
     {
       const std::lock_guard lock(mutex_);
+      if (samples_ >= limits_.ahead_samples || is_full()) return;
       if (name.empty() || sounds_.contains(name)) continue;
     }
     Loaded loaded = load(name, audio::Repeats::kAsTheFileSays);
-    samples += loaded.sound ? loaded.sound->samples.size() : 0;
-    if (samples > kMostLoadedAhead_samples) return;
     const std::lock_guard lock(mutex_);
-    sounds_.emplace(name, std::move(loaded));
+    const auto [place, is_new] = sounds_.emplace(name, std::move(loaded));
+    if (is_new) samples_ += samples_of(place->second.sound);
   }
 }
 
@@ -78,6 +87,10 @@ void SoundTable::begin_level(std::span<const std::string> names) {
   for (const std::string& name : names) names_.push_back(file_name_of(name));
   const std::set<std::string> wanted_names(names_.begin(), names_.end());
   std::erase_if(sounds_, [&](const auto& entry) { return !wanted_names.contains(entry.first); });
+  samples_ = 0;
+  for (const Sounds* sounds : {&sounds_, &looped_sounds_})
+    for (const auto& [name, loaded] : *sounds) samples_ += samples_of(loaded.sound);
+  has_noted_limit_ = false;
   loader_ = std::thread([this, wanted = names_] { load_ahead(wanted); });
 }
 

@@ -17,6 +17,14 @@
 
 namespace temblor::client {
 
+// Game code names whatever it likes, and a server may have any file played: over a limit, further sounds are
+// silent until the next level, which is noted once.
+struct SoundLimits {
+  std::size_t ahead_samples = std::size_t{1} << 26;  // 256 MB loaded by the thread; the rest when it is heard
+  std::size_t samples = std::size_t{1} << 27;        // 512 MB, but for the last one
+  std::size_t names = std::size_t{1} << 14;
+};
+
 // A sound that is missing or damaged is silent. That is noted once, when it would be heard for the first
 // time: many a list has names that nobody ever plays.
 //
@@ -24,7 +32,8 @@ namespace temblor::client {
 // earlier is loaded there and then, so what is heard does not depend on that thread.
 class SoundTable {
  public:
-  explicit SoundTable(const assets::Library& library) : library_(library) {}
+  explicit SoundTable(const assets::Library& library, const SoundLimits& limits = {})
+      : library_(library), limits_(limits) {}
   ~SoundTable();
   SoundTable(const SoundTable&) = delete;
   SoundTable& operator=(const SoundTable&) = delete;
@@ -55,11 +64,15 @@ class SoundTable {
   audio::SoundPtr find_or_load(Sounds& io_sounds, const std::string& name, audio::Repeats repeats);
   void load_ahead(const std::vector<std::string>& names);
   void stop_loading();
+  bool is_full() const { return samples_ >= limits_.samples || sounds_.size() >= limits_.names; }
 
   const assets::Library& library_;
+  SoundLimits limits_;
   std::vector<std::string> names_;
-  mutable std::mutex mutex_;  // of the two maps; held for moments
+  mutable std::mutex mutex_;  // of the two maps and what is in them; held for moments
   Sounds sounds_, looped_sounds_;
+  std::size_t samples_ = 0;  // of all of both
+  bool has_noted_limit_ = false;
   std::vector<std::string> notes_;
   std::atomic<bool> stops_{false};
   std::thread loader_;

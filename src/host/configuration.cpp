@@ -18,15 +18,31 @@ bool is_text(std::string_view text) {
   });
 }
 
+// Where it was written, unless a later game folder came with a file of that name. What was written since the
+// folders were read is not in their tables.
+std::optional<std::filesystem::path> written_file(const GameData& data, std::string_view name) {
+  const std::optional<std::size_t> came_with = data.library.files().game_of(name);
+  for (std::size_t game = data.write_folders.size(); game-- > came_with.value_or(0);) {
+    const std::filesystem::path file = data.write_folders[game] / name;
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(file, ignored)) return file;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+bool has_commands(const GameData& data, std::string_view name) {
+  return written_file(data, name) || data.library.files().contains(name);
+}
 
 base::Result<std::string> read_commands(const GameData& data, std::string_view name) {
   const std::optional<std::string> normalized = vfs::normalized_name(name);
   if (!normalized)
     return base::error(base::ErrorCode::kUsage, "\"{}\" is no name of a file in the game folders", name);
-  // What was written since the folders were read is not in their tables.
-  base::Result<base::ByteVector> bytes = vfs::read_disk_file(data.write_folder / name, kMaxCommandFileBytes);
-  if (!bytes.ok()) bytes = data.library.files().read(name);
+  const std::optional<std::filesystem::path> written = written_file(data, name);
+  const base::Result<base::ByteVector> bytes =
+      written ? vfs::read_disk_file(*written, kMaxCommandFileBytes) : data.library.files().read(name);
   if (!bytes.ok()) return bytes.error();
   std::string text(base::as_text(*bytes));
   if (text.size() > kMaxCommandFileBytes || !is_text(text))
@@ -35,10 +51,8 @@ base::Result<std::string> read_commands(const GameData& data, std::string_view n
 }
 
 std::optional<std::string> configuration_to_run(const GameData& data) {
-  std::error_code ignored;
   for (const std::string_view name : {kConfigurationFile, kStockConfiguration})
-    if (std::filesystem::exists(data.write_folder / name, ignored) || data.library.files().contains(name))
-      return std::string(name);
+    if (has_commands(data, name)) return std::string(name);
   return std::nullopt;
 }
 
@@ -56,16 +70,20 @@ base::Status keep_damaged(const GameData& data, std::string_view name) {
   return base::Ok{};
 }
 
-std::string read_history(const std::filesystem::path& folder) {
-  const base::Result<base::ByteVector> bytes =
-      vfs::read_disk_file(folder / kHistoryFile, kMaxCommandFileBytes);
-  return bytes.ok() ? std::string(base::as_text(*bytes)) : std::string();
+std::string read_history(const GameData& data) {
+  for (auto folder = data.write_folders.rbegin(); folder != data.write_folders.rend(); ++folder) {
+    const base::Result<base::ByteVector> bytes =
+        vfs::read_disk_file(*folder / kHistoryFile, kMaxCommandFileBytes);
+    if (bytes.ok()) return std::string(base::as_text(*bytes));
+  }
+  return {};
 }
 
-std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables) {
+std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables,
+                               const Overrides& overrides) {
   return fmt::format(
       "// Written by Temblor when it ends; autoexec.cfg is run after it and never written.\n{}{}",
-      bindings.to_text(), variables.to_text());
+      bindings.to_text(), variables.to_text(overrides));
 }
 
 }  // namespace temblor::host

@@ -13,21 +13,24 @@
 
 namespace temblor::host {
 
-// Ours, in GameData::write_folder; another engine's config.cfg is read where there is none, and never
-// written.
+// Ours, in GameData::write_folder. A game folder that has none yet takes the settings of those before it, id1
+// at last; where there is none at all another engine's config.cfg is read, and never written.
 constexpr std::string_view kConfigurationFile = "temblor.cfg";
 // Lines typed into the console.
 constexpr std::string_view kHistoryFile = "temblor.history";
-// Empty where there is none.
-std::string read_history(const std::filesystem::path& folder);
+// Of the last game folder that has some; empty where there is none.
+std::string read_history(const GameData& data);
 
-// Text of a file of commands: from the folder that is written to, as it is now, or from the game's files.
-// kMalformed for what is no text.
+// Text of a file of commands. Of all game folders the last one that has it counts: where it is written to, as
+// that is now, before what it came with. kMalformed for what is no text.
 base::Result<std::string> read_commands(const GameData& data, std::string_view name);
+// Whether any of them has it.
+bool has_commands(const GameData& data, std::string_view name);
 // kConfigurationFile or config.cfg; nothing where there is neither.
 std::optional<std::string> configuration_to_run(const GameData& data);
 // What could not be read is not written over: it gets another name. Nothing where it can be read.
 base::Status keep_damaged(const GameData& data, std::string_view name);
-std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables);
+std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables,
+                               const Overrides& overrides);
 
 }  // namespace temblor::host

@@ -17,17 +17,15 @@ bool can_write_to(const std::filesystem::path& folder) {
 
 std::filesystem::path folder_to_write(const GameFolders& folders, const std::filesystem::path& game) {
   if (folders.user_folder.empty() || can_write_to(game)) return game;
-  const std::filesystem::path own = folders.user_folder / game.filename();
-  std::error_code ignored;
-  std::filesystem::create_directories(own, ignored);
-  return own;
+  return folders.user_folder / game.filename();
 }
 
 }  // namespace
 
-GameData::GameData(vfs::FileSystem files, assets::Look own_look, std::filesystem::path folder)
+GameData::GameData(vfs::FileSystem files, assets::Look own_look, std::vector<std::filesystem::path> folders)
     : library(std::move(files)),
-      write_folder(std::move(folder)),
+      write_folders(std::move(folders)),
+      write_folder(write_folders.back()),
       look(own_look),
       presentation(library),
       renderer(look.palette, look.colormap) {}
@@ -35,8 +33,16 @@ GameData::GameData(vfs::FileSystem files, assets::Look own_look, std::filesystem
 base::Result<std::unique_ptr<GameData>> GameData::open(const GameFolders& folders) {
   TRY(vfs::FileSystem files, vfs::FileSystem::open(folders.base_folder, folders.games));
   TRY(const assets::Look look, assets::load_look(files));
-  std::filesystem::path write_folder = folder_to_write(folders, files.folders().back());
-  return std::make_unique<GameData>(std::move(files), look, std::move(write_folder));
+  std::vector<std::filesystem::path> write_folders;
+  std::error_code ignored;
+  for (const std::filesystem::path& game : files.folders()) {
+    // Nothing is written to those below the last one: they are asked only where it matters.
+    const bool is_last = game == files.folders().back();
+    const bool has_other = std::filesystem::exists(folders.user_folder / game.filename(), ignored);
+    write_folders.push_back(is_last || has_other ? folder_to_write(folders, game) : game);
+  }
+  std::filesystem::create_directories(write_folders.back(), ignored);
+  return std::make_unique<GameData>(std::move(files), look, std::move(write_folders));
 }
 
 }  // namespace temblor::host

@@ -23,13 +23,15 @@ struct GameData {
   // Fails where the folders cannot be read or hold no palette.
   static base::Result<std::unique_ptr<GameData>> open(const GameFolders& folders);
 
-  GameData(vfs::FileSystem files, assets::Look look, std::filesystem::path write_folder);
+  GameData(vfs::FileSystem files, assets::Look look, std::vector<std::filesystem::path> write_folders);
   GameData(const GameData&) = delete;
   GameData& operator=(const GameData&) = delete;
 
   assets::Library library;
-  // Where settings, saved games, recordings and pictures go: the last game folder, or where nobody may write
-  // there, a folder of its name in GameFolders::user_folder.
+  // Where each of the game folders, in their order, has its settings and what else is written: the folder
+  // itself, or where nobody may write there, one of its name in GameFolders::user_folder.
+  std::vector<std::filesystem::path> write_folders;
+  // The last of them: where settings, saved games, recordings and pictures go.
   std::filesystem::path write_folder;
   assets::Look look;
   client::Presentation presentation;

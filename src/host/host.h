@@ -33,7 +33,8 @@ struct HostOptions {
   std::filesystem::path program_file{};  // the game's code; empty: the game folders' progs.dat
   std::vector<std::string> commands{};   // run once the configuration is
   std::string version{};                 // "Temblor 1.0", for the console
-  // Set again after the configuration: what the command line says.
+  // Sets variables after the configuration, as the command line says: for this run, unless the player changes
+  // them himself.
   std::function<base::Status()> apply_overrides{};
 };
 
@@ -154,6 +155,7 @@ class Host {
   HostOptions options_;
   command::Console console_;
   client::ConsoleUi console_ui_;
+  Overrides overrides_;
   client::Bindings bindings_;
   client::HeldKeys held_;
   client::PlayerInput input_;
@@ -195,7 +197,8 @@ class Host {
   } speed_;
   std::string speed_text_, latency_text_;
   bool has_focus_ = true, takes_text_ = false, was_playing_ = false;
-  double saved_s_ = 0;  // when the game was last saved, or begun
+  bool is_shown_ = true;  // what was drawn last
+  double saved_s_ = 0;    // when the game was last saved, or begun
   bool wants_to_quit_ = false;
 };
 

@@ -22,21 +22,23 @@ void Host::take_up_data() {
 }
 
 base::Status Host::configure() {
+  // Nothing of what the folders before have set; nor of the command line, which is to come last.
+  overrides_.release_changed(variables_.variables());
+  variables_.reset();
   console_.set_loader([this](std::string_view name) { return read_commands(*data_, name); });
   const auto run = [this](std::string_view file) {
     console_.append(command::join_words({"exec", std::string(file)}));
     console_.run();
   };
+  bindings_.unbind_all();
   // A game's own defaults first, for what it binds besides; the keys that hands know win over the original's.
   if (data_->library.files().contains("default.cfg")) run("default.cfg");
   bindings_.add_defaults();
   if (const std::optional<std::string> file = configuration_to_run(*data_)) run(*file);
-  std::error_code ignored;
-  if (data_->library.files().contains("autoexec.cfg") ||
-      std::filesystem::exists(data_->write_folder / "autoexec.cfg", ignored))
-    run("autoexec.cfg");
-  if (options_.apply_overrides) TRY_STATUS(options_.apply_overrides());
-  console_ui_.load_history(read_history(data_->write_folder));
+  if (has_commands(*data_, "autoexec.cfg")) run("autoexec.cfg");
+  if (options_.apply_overrides)
+    TRY_STATUS(overrides_.apply(options_.apply_overrides, variables_.variables()));
+  console_ui_.load_history(read_history(*data_));
   window_settings_ = variables_.window();
   // What this display cannot show is no reason not to play.
   if (const base::Status applied = services_.window.apply(window_settings_); !applied.ok())
@@ -179,7 +181,7 @@ base::Status Host::change_games(std::vector<std::string> games) {
 
 base::Status Host::save_configuration() {
   TRY_STATUS(keep_damaged(*data_, kConfigurationFile));
-  const std::string text = configuration_text(bindings_, variables_);
+  const std::string text = configuration_text(bindings_, variables_, overrides_);
   TRY_STATUS(services_.write_file(data_->write_folder / kConfigurationFile, base::as_bytes(text)));
   const std::string history = console_ui_.history_text();
   if (history.empty()) return base::Ok{};

@@ -111,12 +111,19 @@ double HostVariables::frames_per_second() const {
   return variables_->float_value(max_fps_);
 }
 
-std::string HostVariables::to_text() const {
+void HostVariables::reset() const {
+  for (const std::string& name : names_of(*variables_)) {
+    const base::Status set = variables_->reset(name);
+    CHECK(set.ok(), "a default fits");
+  }
+}
+
+std::string HostVariables::to_text(const Overrides& overrides) const {
   std::string text;
   for (const std::string& name : kept_) {
     const command::Variable& variable = *variables_->find(name);
-    if (variable.text != variable.default_text)
-      text += fmt::format("{}\n", command::join_words({variable.name, variable.text}));
+    const std::string& own = overrides.own_text(variable);
+    if (own != variable.default_text) text += fmt::format("{}\n", command::join_words({variable.name, own}));
   }
   return text;
 }

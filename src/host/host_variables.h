@@ -6,6 +6,7 @@
 #include "client/console_variables.h"
 #include "client/input_variables.h"
 #include "command/variables.h"
+#include "host/overrides.h"
 #include "host/render_settings.h"
 #include "host/screen.h"
 #include "platform/window.h"
@@ -44,8 +45,10 @@ class HostVariables {
   bool shows_speed() const { return variables_->bool_value(show_speed_); }
   bool shows_latency() const { return variables_->bool_value(show_latency_); }
 
+  // Everything as it was registered.
+  void reset() const;
   // Text that sets what is not at its default and belongs to the player, not to a server's rules.
-  std::string to_text() const;
+  std::string to_text(const Overrides& overrides) const;
 
  private:
   command::Variables* variables_;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "client/corner_text.h"
 #include "client/demo_bar.h"
@@ -57,7 +58,9 @@ void Host::draw() {
     worker_.wait();
   else
     step();
-  if (!shown.ok()) print(shown.error().message());
+  // A window that is lost may stay so for long.
+  if (const bool was_shown = std::exchange(is_shown_, shown.ok()); was_shown && !shown.ok())
+    print(shown.error().message());
 }
 
 void Host::draw_view(const DrawSettings& settings, render::FrameBuffer& io_frame) {

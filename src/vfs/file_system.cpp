@@ -195,13 +195,24 @@ base::Result<base::ByteVector> FileSystem::read(std::string_view name) const {
                                    fmt::join(searched, " or ")),
                        base::printable(name)};
   }
-  if (!file->pk3 && !file->range) return read_disk_file(file->path);
-  const std::uint64_t size = file->pk3 ? file->pk3->entries()[file->pk3_position].size : file->range->size;
+  return read_file(*file, describe(name));
+}
+
+base::Result<base::ByteVector> FileSystem::read_file(const File& file, const std::string& description) {
+  if (!file.pk3 && !file.range) return read_disk_file(file.path);
+  const std::uint64_t size = file.pk3 ? file.pk3->entries()[file.pk3_position].size : file.range->size;
   if (size > kMaxFileBytes)
     return base::Error{ErrorCode::kTooLarge, fmt::format("{} bytes, the limit is {}", size, kMaxFileBytes),
-                       describe(name)};
-  if (file->pk3) return file->pk3->read(file->pk3_position).with_file(describe(name));
-  return read_disk_range(file->path, file->range->offset, file->range->size);
+                       description};
+  if (file.pk3) return file.pk3->read(file.pk3_position).with_file(description);
+  return read_disk_range(file.path, file.range->offset, file.range->size);
+}
+
+std::function<base::Result<base::ByteVector>()> FileSystem::reader(std::string_view name) const {
+  const File* file = find(name);
+  if (file != nullptr)
+    return [file = *file, description = describe(name)] { return read_file(file, description); };
+  return [error = read(name).error()] { return base::Result<base::ByteVector>(error); };
 }
 
 bool FileSystem::contains(std::string_view name) const {

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -45,6 +46,8 @@ class FileSystem {
 
   // The file's bytes. kNotFound says which folders were searched.
   base::Result<base::ByteVector> read(std::string_view name) const;
+  // Reads it, as read() would, when it is called: by any thread, even when this object is gone.
+  std::function<base::Result<base::ByteVector>()> reader(std::string_view name) const;
   bool contains(std::string_view name) const;
 
   // Where a file comes from: its path on disk, or that of its archive; empty when there is no such file.
@@ -74,6 +77,8 @@ class FileSystem {
     std::size_t game = 0;  // into folders_
   };
 
+  // `description` as of describe().
+  static base::Result<base::ByteVector> read_file(const File& file, const std::string& description);
   base::Status mount_game(const std::filesystem::path& folder);
   base::Status mount_loose_files(const std::filesystem::path& folder);
   base::Status mount_pak(const std::filesystem::path& path);

@@ -82,6 +82,57 @@ TEST(LiveMixer, DeviceSideAsksTheHeapForNothing) {
   }
 }
 
+// --- A device that hangs.
+
+constexpr int kLong = 20000;  // posts
+// A few of those that are kept one by one, and one folded.
+constexpr long kMostKept = 3000;
+
+TEST(LiveMixer, OnlySoMuchWaitsForADeviceThatHangs) {
+  LiveMixer mixer;
+  const audio::SoundPtr sound = constant_sound(0.01f, 100);
+  for (int i = 0; i < kLong; ++i) mixer.post(quiet_scene(), started(sound, i, i % 3));
+  EXPECT_LT(sound.use_count(), kMostKept);
+  SoundEvents all;
+  all.statics.push_back({.sound = sound});
+  all.stopped.push_back({1, 1});
+  for (int i = 0; i < kLong; ++i) mixer.post(quiet_scene(), all);
+  EXPECT_LT(sound.use_count(), kMostKept);
+  all.begins_anew = true;
+  mixer.post(quiet_scene(), all);
+  EXPECT_LT(sound.use_count(), 5);
+}
+
+TEST(LiveMixer, WhatGoesOnIsHeardWhenTheDeviceIsBack) {
+  LiveMixer mixer;
+  SoundEvents level;
+  level.begins_anew = level.new_ambients = true;
+  level.statics.push_back({.sound = looping(constant_sound(0.125f, 480)), .volume = 1, .attenuation = 0});
+  mixer.post(quiet_scene(), level);
+  for (int i = 0; i < kLong; ++i) mixer.post(quiet_scene(), started(constant_sound(0.01f, 100), i % 50, 1));
+  mixer.post(quiet_scene(), started(looping(constant_sound(0.25f, 480)), 7, 2));
+  mixer.post(quiet_scene(), started(looping(constant_sound(0.5f, 480)), 8, 2));
+  SoundEvents stop;
+  stop.stopped.push_back({8, 2});
+  mixer.post(quiet_scene(), stop);
+  fill(mixer, 4096);
+  EXPECT_NEAR(fill(mixer).back(), 0.375f, 1e-3);
+}
+
+TEST(LiveMixer, WhatPlayedBeforeTheDeviceHungIsStoppedOrReplaced) {
+  LiveMixer mixer;
+  mixer.post(quiet_scene(), started(looping(constant_sound(0.125f, 480)), 1, 1));
+  mixer.post(quiet_scene(), started(looping(constant_sound(0.25f, 480)), 2, 1));
+  EXPECT_EQ(fill(mixer).back(), 0.375f);
+  for (int i = 0; i < kLong; ++i) mixer.post(quiet_scene(), started(constant_sound(0.01f, 100), 3, 1));
+  SoundEvents stop;
+  stop.stopped = {{1, 1}, {2, 1}};
+  mixer.post(quiet_scene(), stop);
+  mixer.post(quiet_scene(), started(looping(constant_sound(0.0625f, 480)), 2, 1));
+  fill(mixer, 4096);
+  EXPECT_NEAR(fill(mixer).back(), 0.0625f, 1e-3);
+}
+
 TEST(LiveMixerThreads, PostingAndPlayingAtOnce) {
   LiveMixer mixer;
   std::atomic<bool> ends{false};
@@ -94,7 +145,8 @@ TEST(LiveMixerThreads, PostingAndPlayingAtOnce) {
     }
   });
   Random random(1);
-  mixer.play_music(audio::MusicDecoder::open(formats::write_wav(sine_wav(440, 0.5, 44100, 44100))).value());
+  mixer.play_music(
+      [] { return audio::MusicDecoder::open(formats::write_wav(sine_wav(440, 0.5, 44100, 44100))); });
   for (int step = 0; step < effort(3000, 500); ++step) {
     audio::Scene scene = quiet_scene();
     scene.listener.origin_world = random.in_cube(100);

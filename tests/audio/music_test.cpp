@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <numbers>
 #include <thread>
 
@@ -142,8 +143,10 @@ TEST(StockMusic, Plays) {
   EXPECT_GT(rms(samples), 0.005);
 }
 
-MusicDecoder tone(double frequency_hz) {
-  return MusicDecoder::open(formats::write_wav(sine_wav(frequency_hz, 0.5, 48000, 48000))).value();
+audio::OpenMusic tone(double frequency_hz) {
+  return [frequency_hz] {
+    return MusicDecoder::open(formats::write_wav(sine_wav(frequency_hz, 0.5, 48000, 48000)));
+  };
 }
 
 void wait_until_ready(const audio::MusicStream& stream) {
@@ -185,13 +188,54 @@ TEST(MusicStreamThreads, AnotherTrackPauseAndStopBreakOffWithoutAClick) {
   for (int i = 0; i < 3000 && listen(960) > 0.1; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_LT(listen(960), 0.1);
-  stream.play(std::nullopt);
+  stream.play(nullptr);
   for (int i = 0; i < 3000 && stream.frames_ready() > 0; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   listen(4800);
   EXPECT_EQ(heard.back(), 0);
   // Two percent of the largest jump there can be, and what the louder of the tones does by itself.
   EXPECT_LT(largest_step(heard), 0.02 + 0.5 * 2 * std::numbers::pi * 880 / kFramesPerSecond + 0.01);
+}
+
+// A disk that takes its time, and meanwhile somebody wants something else.
+TEST(MusicStreamThreads, WhoPlaysNeverWaitsForAFile) {
+  audio::MusicStream stream;
+  stream.play(tone(440));
+  wait_until_ready(stream);
+  std::promise<void> disk;
+  const std::shared_future<void> disk_is_done = disk.get_future().share();
+  stream.play([disk_is_done]() -> base::Result<MusicDecoder> {
+    disk_is_done.wait();
+    return base::malformed("no music");
+  });
+  // The thread has begun with it: what was there before has gone.
+  for (int i = 0; i < 5000 && stream.frames_ready() > 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(stream.frames_ready(), 0u);
+  stream.play(tone(880));
+  std::vector<float> silence(2 * 4800, 99.0f);
+  stream.read(silence);
+  EXPECT_EQ(silence.back(), 0) << "its turn is after the disk's";
+  disk.set_value();
+  wait_until_ready(stream);
+  EXPECT_FALSE(stream.take_failure()) << "nobody wants to know any more";
+  std::vector<float> samples(2 * 16000);
+  stream.read(samples);
+  const std::vector<float> left = split(samples).left;
+  EXPECT_NEAR(amplitude_of(std::span(left).last(8000), 880), 0.5, 1e-2);
+}
+
+TEST(MusicStreamThreads, WhatCannotBeOpenedIsToldOnce) {
+  audio::MusicStream stream;
+  stream.play([] { return MusicDecoder::open(to_bytes("this is no music")); });
+  std::optional<base::Error> failure;
+  for (int i = 0; i < 5000 && !failure; ++i) {
+    failure = stream.take_failure();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ASSERT_TRUE(failure);
+  EXPECT_THAT(failure->message(), testing::HasSubstr("not music"));
+  EXPECT_FALSE(stream.take_failure());
 }
 
 }  // namespace

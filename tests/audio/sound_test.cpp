@@ -133,6 +133,25 @@ TEST(Loop, OfOneSampleIsOne) {
   }
 }
 
+// Whatever the rate, the whole of the sound keeps its length, and mixing it is no work for each sample.
+TEST(Loop, OfAFewSamplesCostsNoMoreThanOthers) {
+  for (const std::uint32_t rate : {1000u, 11025u, 48000u, 192000u})
+    for (const std::uint32_t length : {1u, 2u, 3u, 7u, 10u, 100u}) {
+      formats::Wav wav = sine_wav(100, 0.5, rate, rate / 2);
+      wav.loop = formats::WavLoop{rate / 2 - length, rate / 2};
+      const SoundPtr sound = audio::make_sound(wav, "loop").value();
+      ASSERT_TRUE(sound->loop);
+      const std::size_t loop = sound->loop->end - sound->loop->start;
+      EXPECT_GE(loop, 1000u) << rate << ", " << length;
+      EXPECT_NEAR(static_cast<double>(sound->loop->start) / kFramesPerSecond, 0.5, 0.07)
+          << rate << ", " << length;
+      EXPECT_LT(sound->samples.size(), kFramesPerSecond * 7u / 10) << rate << ", " << length;
+      // As many times the loop as written, to a part in a thousand.
+      const double times = static_cast<double>(loop) * rate / kFramesPerSecond / length;
+      EXPECT_NEAR(times / std::round(times), 1, 1e-3) << rate << ", " << length;
+    }
+}
+
 TEST(Loop, IsMadeWhereOneIsWantedWithoutAStep) {
   const formats::Wav wav = sine_wav(333.3, 0.5, 11025, 11025);
   const SoundPtr once = audio::make_sound(wav, "once").value();
@@ -146,7 +165,7 @@ TEST(Loop, IsMadeWhereOneIsWantedWithoutAStep) {
 
 TEST(MakeSound, TooLongIsAnError) {
   formats::Wav wav{.frames_per_second = 1000, .channels = 1, .bits = 8, .samples = {}, .loop = {}};
-  wav.samples.assign(600 * 1000 + 1, 0);
+  wav.samples.assign(60 * 1000 + 1, 0);
   const auto sound = audio::make_sound(wav, "long");
   ASSERT_FALSE(sound.ok());
   EXPECT_EQ(sound.error().code, base::ErrorCode::kTooLarge);

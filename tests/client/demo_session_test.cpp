@@ -294,6 +294,9 @@ TEST(DemoSession, StepsFromPacketToPacket) {
   ASSERT_TRUE(session.step(-1'000'000, settings).value());
   EXPECT_EQ(session.time_s(), session.begin_s());
   EXPECT_FALSE(session.step(1'000'000, settings).value());
+  ASSERT_TRUE(session.step(0, settings).value()) << "the last packet";
+  EXPECT_EQ(session.time_s(), session.end_s());
+  ASSERT_TRUE(session.step(0, settings).value()) << "and it stays there";
   EXPECT_EQ(session.time_s(), session.end_s());
   ASSERT_TRUE(session.step(-1, settings).value());
   ASSERT_TRUE(session.step(1, settings).value()) << "the last packet";

@@ -193,6 +193,22 @@ TEST(Effects, EntitiesShine) {
   EXPECT_TRUE(lights_of(entity(4, kGibModel, {1, 2, 3}), time_s + 0.03).empty());
 }
 
+// He is shown where he has walked to by now; the server's word is a way there and back old.
+TEST(Effects, WhatIsThePlayersOwnGoesWithHimWhereHeIsShown) {
+  const math::Vec3 told(0, 0, 0), shown(0, 60, 8);
+  Effects effects;
+  const std::vector<SeenEntity> seen = {entity(kPlayer, kPlain, told, kEffectDimLight),
+                                        entity(2, kPlain, {200, 0, 0}, kEffectDimLight)};
+  TempEntity bolt{TempEntityKind::kLightning2, told, {120, 60, 8}};
+  bolt.entity = kPlayer;
+  effects.advance(event(bolt), {level(), 1, seen, kFlags, kPlayer, shown}, {});
+  ASSERT_EQ(effects.lights().size(), 2u);
+  EXPECT_EQ(effects.lights()[0].origin_world, shown);
+  EXPECT_EQ(effects.lights()[1].origin_world, seen[1].origin_world);
+  ASSERT_FALSE(effects.beams().empty());
+  EXPECT_EQ(effects.beams()[0].origin_world, shown);
+}
+
 TEST(Effects, MuzzlesFlashForATenthOfASecond) {
   Effects effects;
   SeenEntity seen = entity(4, kPlain, {100, 0, 0});

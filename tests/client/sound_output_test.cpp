@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <span>
+#include <thread>
 
 #include "support/small_game.h"
 
@@ -105,14 +107,23 @@ TEST_F(SoundOutputTest, MusicThatIsMissingIsNothingToSpeakOfButDamageIs) {
   const test::SmallGame game;
   game.folder().write("id1/music/track03.ogg", "this is no music at all");
   const assets::Library library(vfs::FileSystem::open(game.path()).value());
+  double time_s = 0;
+  // What is noted while music is opened elsewhere: a second long, or until it is.
+  const auto notes = [&] {
+    std::vector<std::string> all;
+    for (int i = 0; i < 1000 && all.empty(); ++i) {
+      output.advance(time_s += 0.001, scene, {});
+      all = output.take_notes();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return all;
+  };
+  output.play_music(library, 3);
+  EXPECT_THAT(notes(), ElementsAre(HasSubstr("track03.ogg: not music")));
+  output.play_music(library, 3);
   output.play_music(library, 2);
-  EXPECT_THAT(output.take_notes(), IsEmpty());
-  output.play_music(library, 3);
-  EXPECT_THAT(output.take_notes(), ElementsAre(HasSubstr("track03.ogg: not music")));
-  output.play_music(library, 3);
-  EXPECT_THAT(output.take_notes(), IsEmpty());
   output.play_music(library, 0);
-  EXPECT_THAT(output.take_notes(), IsEmpty());
+  EXPECT_THAT(notes(), IsEmpty());
 }
 
 }  // namespace

@@ -71,6 +71,33 @@ TEST_F(SoundTableThreads, NextLevelKeepsWhatItHasToo) {
   EXPECT_EQ(table.sound(3), nullptr);
 }
 
+// Each sound is some 500 samples of 48 kHz and more.
+TEST_F(SoundTableThreads, OverTheLimitFurtherOnesAreSilent) {
+  SoundTable table(*library, {.ahead_samples = 0, .samples = 5000});
+  for (const int level : {1, 2}) {
+    table.begin_level(names);
+    std::size_t samples = 0;
+    int heard = 0;
+    for (int i = 0; i < kSounds; ++i)
+      if (const audio::SoundPtr sound = table.sound(name_of(i)); sound != nullptr) {
+        samples += sound->samples.size();
+        ++heard;
+      }
+    EXPECT_GT(heard, 3) << level;
+    EXPECT_LT(samples, 8000u) << level;
+    EXPECT_EQ(table.sound(name_of(kSounds - 1)), nullptr);
+    EXPECT_NE(table.sound(name_of(0)), nullptr) << "what is there stays";
+    EXPECT_THAT(table.take_notes(), ElementsAre(HasSubstr("stay silent")));
+    names = {"", name_of(kSounds - 1)};
+  }
+}
+
+TEST_F(SoundTableThreads, NamesOfNothingAreBoundedToo) {
+  SoundTable table(*library, {.names = 100});
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(table.sound("no" + std::to_string(i) + ".wav"), nullptr);
+  EXPECT_EQ(table.take_notes().size(), 101u);
+}
+
 TEST_F(SoundTableThreads, MayEndWhileItLoads) {
   for (int i = 0; i < 20; ++i) {
     SoundTable table(*library);

@@ -290,6 +290,25 @@ TEST(Host, LeavesAndComesBack) {
   }
 }
 
+TEST(Host, AWindowThatIsLostIsToldOnceEachTime) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayedHost played({"map small"});
+  ASSERT_TRUE(played.run_until_playing());
+  const auto told = [&] {
+    return std::count_if(played.lines().begin(), played.lines().end(),
+                         [](const std::string& line) { return line.find("window is lost") != line.npos; });
+  };
+  played.window().set_can_present(false);
+  played.run(0.5);
+  EXPECT_EQ(told(), 1);
+  EXPECT_TRUE(played.host().session().is_playing());
+  played.window().set_can_present(true);
+  played.run(0.1);
+  played.window().set_can_present(false);
+  played.run(0.1);
+  EXPECT_EQ(told(), 2);
+}
+
 TEST(Host, WhatAForeignServerMayHaveRunHere) {
   EXPECT_TRUE(host::may_be_stuffed("play misc/hello.wav"));
   EXPECT_FALSE(host::may_be_stuffed("play x; quit"));

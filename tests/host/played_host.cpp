@@ -30,7 +30,8 @@ PlayedHost::PlayedHost(std::vector<std::string> commands, platform::PixelSize si
   start(std::move(commands));
 }
 
-void PlayedHost::start(std::vector<std::string> commands) {
+void PlayedHost::start(std::vector<std::string> commands,
+                       const std::function<base::Status(command::Variables&)>& command_line) {
   host_.reset();
   window_.set_now(now_s_);
   variables_ = std::make_unique<command::Variables>();
@@ -38,15 +39,21 @@ void PlayedHost::start(std::vector<std::string> commands) {
   host::Services services{.window = window_,
                           .write_file = write_file,
                           .print_line = [this](std::string_view line) { lines_.emplace_back(line); }};
-  auto started = host::Host::start(std::move(services), *host_variables_,
-                                   {.folders = {game_.path(), {}}, .commands = std::move(commands)});
+  host::HostOptions options{.folders = {game_.path(), {}}, .commands = std::move(commands)};
+  // The program does it before as well, to open its window.
+  if (command_line) CHECK(command_line(*variables_).ok());
+  if (command_line)
+    options.apply_overrides = [command_line, variables = variables_.get()] {
+      return command_line(*variables);
+    };
+  auto started = host::Host::start(std::move(services), *host_variables_, std::move(options));
   CHECK(started.ok(), "{}", started.error().message());
   host_ = std::move(*started);
 }
 
-void PlayedHost::start_again() {
+void PlayedHost::start_again(std::function<base::Status(command::Variables&)> command_line) {
   lines_.clear();
-  start({"host_maxfps 10000", "r_threads 1"});
+  start({"host_maxfps 10000", "r_threads 1"}, command_line);
 }
 
 void PlayedHost::run(double seconds, double frame_s) {

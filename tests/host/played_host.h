@@ -2,6 +2,7 @@
 // real data.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,8 +19,9 @@ class PlayedHost {
  public:
   // The level "small" and a small program; the compiler of QuakeC has to be here. `commands` are run first.
   explicit PlayedHost(std::vector<std::string> commands = {}, platform::PixelSize size = {320, 200});
-  // The same game folder once more, as when the program is started again.
-  void start_again();
+  // The same game folder once more, as when the program is started again; `command_line` is
+  // HostOptions::apply_overrides.
+  void start_again(std::function<base::Status(command::Variables&)> command_line = nullptr);
 
   // Frames at even distances.
   void run(double seconds, double frame_s = 1.0 / 72);
@@ -39,7 +41,8 @@ class PlayedHost {
   double now_s() const { return now_s_; }
 
  private:
-  void start(std::vector<std::string> commands);
+  void start(std::vector<std::string> commands,
+             const std::function<base::Status(command::Variables&)>& command_line = nullptr);
 
   SmallGame game_;
   platform::headless::HeadlessWindow window_;

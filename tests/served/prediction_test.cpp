@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "client/near_solids.h"
 #include "client/predicted_player.h"
 #include "math/angles.h"
 #include "movement/player.h"
@@ -179,6 +180,7 @@ TEST(Prediction, AStepIsTheServersOwnTickForTick) {
     in_water += result.in_water;
   }
   EXPECT_GT(climbed, effort(20, 0)) << "or stairs were not tried";
+  EXPECT_GE(in_water, effort(100, 0)) << "or swimming was not";
 }
 
 // --- Stairs and lifts.
@@ -382,6 +384,86 @@ TEST(Prediction, ABlowIsMadeGoodByAndBy) {
   EXPECT_GT(game.prediction().report().largest_units, 10);
   EXPECT_LT(fastest, game.prediction().report().largest_units / 2) << "no jump";
   EXPECT_LT(glm::distance(game.shown()->origin_world, game.player()[field::kOrigin]), 0.05f);
+}
+
+// --- Servers that would have a client think for seconds.
+
+float distance_to_box(const Vec3& place, const math::Bounds& bounds) {
+  float squared = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float outside = std::max({bounds.mins[axis] - place[axis], place[axis] - bounds.maxs[axis], 0.0f});
+    squared += outside * outside;
+  }
+  return std::sqrt(squared);
+}
+
+TEST(Prediction, TheNearestModelsCount) {
+  world::Level level;
+  Random random(3);
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 size(random.uniform(1, 200), random.uniform(1, 200), random.uniform(1, 200));
+    level.models.emplace_back();
+    level.models.back().bounds = {-size, size};
+  }
+  const auto somewhere = [&] {
+    return Vec3(random.uniform(-2000, 2000), random.uniform(-2000, 2000), random.uniform(-2000, 2000));
+  };
+  std::vector<client::SolidModel> all;
+  for (std::uint32_t i = 1; i <= 3000; ++i)
+    all.push_back({i, world::ModelIndex{static_cast<std::uint32_t>(random.below(8))}, somewhere()});
+  all[7].origin.x = std::nanf("");
+  const Vec3 place = somewhere();
+  const auto distance = [&](const client::SolidModel& solid) {
+    const math::Bounds& bounds = level.models[base::to_size(solid.model)].bounds;
+    return distance_to_box(place, {bounds.mins + solid.origin, bounds.maxs + solid.origin});
+  };
+  std::vector<client::SolidModel> kept = all;
+  client::keep_nearest(kept, level, place, 100);
+  ASSERT_EQ(kept.size(), 100u);
+  float farthest = 0;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    farthest = std::max(farthest, distance(kept[i]));
+    EXPECT_NE(kept[i].entity, 8u);
+    EXPECT_TRUE(i == 0 || kept[i - 1].entity < kept[i].entity);
+  }
+  const auto nearer = std::count_if(all.begin(), all.end(), [&](const client::SolidModel& solid) {
+    return solid.entity != 8 && distance(solid) < farthest - 0.01f;
+  });
+  EXPECT_LT(nearer, 100);
+  client::keep_nearest(kept, level, place, 200);
+  EXPECT_EQ(kept.size(), 100u);
+}
+
+// A heap of models wherever the player goes, and he is far from the server.
+TEST(Prediction, AHeapOfModelsIsGivenUpInBoundedTime) {
+  SKIP_WITHOUT_GAME();
+  DATA_FOLDER_OR_SKIP(data);
+  PredictedGame game(data, "lq_e1m2", {.delay_s = 0.15});
+  ASSERT_TRUE(game.join());
+  game.run(0.5, walking(0));
+  ASSERT_TRUE(game.shown());
+  ASSERT_EQ(game.prediction().report().given_up, 0u);
+  client::ClientState& state = game.client().state();
+  const std::vector<std::string>& models = state.game().models;
+  const auto model =
+      static_cast<std::uint16_t>(std::find(models.begin(), models.end(), "*1") - models.begin());
+  ASSERT_LT(model, models.size());
+  const math::Bounds& bounds = game.level().models[1].bounds;
+  const Vec3 origin = Vec3(game.player()[field::kOrigin]) - (bounds.mins + bounds.maxs) / 2.0f;
+  ASSERT_TRUE(state.apply(net::Time{static_cast<float>(state.time_s() + 0.01)}).ok());
+  for (std::uint16_t i = 1000; i < 9000; ++i) {
+    const net::EntityUpdate update{.number = i, .model = model, .origin = {origin.x, origin.y, origin.z}};
+    ASSERT_TRUE(state.apply(update).ok());
+  }
+  state.end_packet();
+  client::Prediction prediction;
+  prediction.begin_frame(game.client(), walking(0), game.now_s());
+  EXPECT_FALSE(prediction.advance(state, game.level(), {}));
+  EXPECT_EQ(prediction.report().given_up, 1u);
+  // And goes on once they are gone.
+  game.run(0.1, walking(0));
+  prediction.begin_frame(game.client(), walking(0), game.now_s());
+  EXPECT_TRUE(prediction.advance(state, game.level(), {}));
 }
 
 // --- Who does not take part.

@@ -170,6 +170,23 @@ TEST(FileSystem, AMissingFileSaysWhereItWasLookedFor) {
   EXPECT_THAT(message, HasSubstr("--game"));
 }
 
+TEST(FileSystem, WhatIsToBeReadLaterCanBeWhenItIsGone) {
+  const test::TemporaryFolder base_folder;
+  base_folder.write("id1/loose", "in a file");
+  base_folder.write("id1/pak0.pak", pak_of({{"a", "other"}, {"packed", "in a pak"}}));
+  base_folder.write("id1/x.pk3", pk3_of({{"zipped", "in a pk3"}}));
+  std::optional<FileSystem> files(open_or_die(base_folder));
+  std::vector<std::pair<std::string, std::function<base::Result<base::ByteVector>()>>> readers;
+  for (const char* const name : {"loose", "packed", "zipped", "nowhere"})
+    readers.emplace_back(text_of(*files, name), files->reader(name));
+  files.reset();
+  for (const auto& [text, read] : readers) {
+    const auto bytes = read();
+    EXPECT_EQ(bytes.ok() ? std::string(base::as_text(*bytes)) : bytes.error().message(), text);
+  }
+  EXPECT_FALSE(readers.back().second().ok());
+}
+
 TEST(FileSystem, MissingFoldersAreErrors) {
   const test::TemporaryFolder base_folder;
   const auto none = FileSystem::open(base_folder.path() / "nowhere");

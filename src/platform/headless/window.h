@@ -20,6 +20,8 @@ class HeadlessWindow : public Window {
   void put_at(const What& what, double time_s);
   // From here on the clock stands at this time; without it, it is a real one.
   void set_now(double now_s) { set_now_s_ = now_s; }
+  // Until it is set again, present() fails.
+  void set_can_present(bool can_present) { can_present_ = can_present; }
   const std::vector<std::uint32_t>& shown() const { return shown_; }
   PixelSize shown_size() const { return shown_size_; }
   std::uint64_t pictures() const { return pictures_; }
@@ -40,6 +42,7 @@ class HeadlessWindow : public Window {
   PixelSize size() const override { return settings_.size; }
   bool is_visible() const override { return true; }
   base::Status present(const Picture& picture) override {
+    if (!can_present_) return base::error(base::ErrorCode::kIo, "the window is lost");
     shown_.assign(picture.pixels.begin(), picture.pixels.end());
     shown_size_ = picture.size;
     ++pictures_;
@@ -62,7 +65,7 @@ class HeadlessWindow : public Window {
   std::vector<std::uint32_t> shown_;
   PixelSize shown_size_;
   std::uint64_t pictures_ = 0;
-  bool captured_ = false, takes_text_ = false;
+  bool captured_ = false, takes_text_ = false, can_present_ = true;
   std::string clipboard_;
 };
 
