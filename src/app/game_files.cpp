@@ -41,7 +41,7 @@ base::Result<std::filesystem::path> find_base_folder(const GameFolders& folders)
   if (is_without_data(folders))
     return base::error(base::ErrorCode::kNotFound,
                        "no game data: the current folder holds no id1; name the folder that does with "
-                       "--basedir DIR (without --map and --demo, the level made in code needs none)");
+                       "--basedir DIR");
   return std::filesystem::path(folders.base_folder.empty() ? "." : folders.base_folder);
 }
 

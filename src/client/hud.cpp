@@ -16,12 +16,15 @@ constexpr double kPainSeconds = 0.2, kCenterTextSeconds = 2;
 
 void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
                const HudSettings& settings) {
-  if (settings.status_bar == StatusBar::kNone) return;
   const Panel bar = panel.at_bottom(kBarHeight);
+  if (settings.status_bar == StatusBar::kNone) {
+    if (settings.shows_scores) draw_level_scores(bar, game, time_s, settings.opacity);
+    return;
+  }
   if (settings.status_bar == StatusBar::kFull)
     draw_inventory(panel.at_bottom(kBarHeight + kInventoryHeight), game, times, time_s,
                    {settings.opacity, settings.safe_colours});
-  if (game.stat(Stat::kHealth) <= 0)
+  if (game.stat(Stat::kHealth) <= 0 || settings.shows_scores)
     draw_level_scores(bar, game, time_s, settings.opacity);
   else
     draw_status_bar(bar, game, times, time_s, {settings.opacity, settings.safe_colours});
@@ -31,7 +34,8 @@ void draw_play(const Panel& panel, const Game& game, const HudTimes& times, doub
                const HudSettings& settings) {
   if (game.stat(Stat::kHealth) > 0) draw_crosshair(panel, settings.crosshair);
   draw_bars(panel, game, times, time_s, settings);
-  if (game.deathmatch && game.stat(Stat::kHealth) <= 0)
+  const bool is_dead_in_deathmatch = game.deathmatch && game.stat(Stat::kHealth) <= 0;
+  if (is_dead_in_deathmatch || (settings.shows_scores && game.players.size() > 1))
     draw_ranking(panel.in_middle(kScreenHeight), game);
   else if (time_s - game.center_text_since_s < kCenterTextSeconds)
     draw_center_text(panel, game.center_text);

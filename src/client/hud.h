@@ -18,6 +18,7 @@ struct HudSettings {
   int scale = 0;      // frame pixels for each of the original's; 0: as large as the frame's size asks for
   float opacity = 1;  // of what the status bar stands on, 0 to 1
   CrosshairLook crosshair{};
+  bool shows_scores = false;  // asked for: what the level still holds, and in a game of several who leads
   bool safe_colours = false;  // what the original tells by colour alone is told by a mark as well
 };
 

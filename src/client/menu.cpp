@@ -47,6 +47,11 @@ bool is_for_menu(const platform::InputEvent& event) {
          std::holds_alternative<platform::PointerMoved>(event.what);
 }
 
+bool is_function_key(const platform::InputEvent& event) {
+  const auto* const change = std::get_if<KeyChange>(&event.what);
+  return change != nullptr && change->key >= platform::Key::kF1 && change->key <= platform::Key::kF12;
+}
+
 int pixel_of(float fraction, int size) {
   // Beyond the window is beyond the window, however far.
   return static_cast<int>(std::floor(std::clamp(fraction, -1.0f, 2.0f) * static_cast<float>(size)));
@@ -316,6 +321,7 @@ void Menu::open(MenuPage page) {
     state_->rest_x.reset();
     state_->steps = {};
   }
+  state_->pages.clear();
   Outcome outcome = opening(state_->context, page);
   if (!was_open && outcome.page) outcome.sound = MenuSound::kEnter;
   state_->carry_out(std::move(outcome));
@@ -341,6 +347,8 @@ void Menu::refresh() {
 
 bool Menu::handle(const platform::InputEvent& event) {
   if (!is_open()) return false;
+  // Bound to pages of the menus, most of them; a row that waits for a key may want it.
+  if (is_function_key(event) && state_->waiting_row() == nullptr) return false;
   state_->take(event);
   state_->catch_up_refresh();
   return is_for_menu(event);

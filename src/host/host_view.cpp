@@ -20,6 +20,7 @@ void Host::read_presentation_settings() {
   presentation_settings_ = variables_.presentation();
   presentation_settings_.view.fov_deg = fov_deg_;
   presentation_settings_.sound = sound_.has_value();
+  presentation_settings_.hud.shows_scores = input_.buttons()[client::Button::kScores].is_down();
 }
 
 base::Status Host::make_scene() {

@@ -41,6 +41,7 @@ server::ServerSetup Session::setup_for(net::ServerEndpoint::Sockets sockets, std
           .write_folder = write_folder_,
           .write_file = services_.write_file,
           .print = [this](std::string_view text) { server_output_ += text; },
+          .prints_events = false,
           .seed = services_.seed};
 }
 

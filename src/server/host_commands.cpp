@@ -117,7 +117,7 @@ void say(Server& io_server, Arguments arguments) {
   const std::string text =
       fmt::format("<{}> {}\n", io_server.settings().host_name(), words_from(arguments, 1));
   io_server.clients().print_everyone("\1" + text);
-  io_server.print(text);
+  io_server.print_event(text);
 }
 
 void list_maps(Server& io_server) {

@@ -88,7 +88,7 @@ void say(const Caller& caller, bool to_team) {
     if (to_team && caller.server.game()->player(slot)[field::kTeam] != team) continue;
     caller.server.clients().print(slot, text);
   }
-  caller.server.print(text.substr(1));
+  caller.server.print_event(text.substr(1));
 }
 
 void tell_command(const Caller& caller) {

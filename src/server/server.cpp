@@ -67,7 +67,7 @@ void Server::take_up(LoadedGame loaded) {
   game_ = std::move(loaded.game);
   const GameSetup& game = game_->setup();
   setup_.settings.set_kind(game.kind);
-  for (const std::string& note : loaded.notes) print(fmt::format("{}: {}\n", game.map_name, note));
+  for (const std::string& note : loaded.notes) print_event(fmt::format("{}: {}\n", game.map_name, note));
   if (recorder_) print_if_error(stop_recording());
   is_paused_ = false;
   goes_on_.assign(clients_.size(), false);
@@ -224,6 +224,10 @@ void Server::print_if_error(const base::Status& status) {
 void Server::print(std::string_view text) {
   setup_.print(text);
   if (captured_) *captured_ += text;
+}
+
+void Server::print_event(std::string_view text) {
+  if (setup_.prints_events) print(text);
 }
 
 std::string Server::run_and_capture(std::string_view line) {

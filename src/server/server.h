@@ -39,6 +39,9 @@ struct ServerSetup {
   // Replaces a file whole, or leaves the old one.
   std::function<base::Status(const std::filesystem::path& file, base::Bytes bytes)> write_file{};
   std::function<void(std::string_view text)> print;  // for the host's eyes; newlines are in it
+  // Who comes and speaks, and what of a level's entities the program does not know, is printed as well. Not for
+  // a host who plays: as a player he is told.
+  bool prints_events = true;
   std::uint64_t seed = 1;                            // of the games' dice
 };
 
@@ -90,6 +93,7 @@ class Server {
   const ServerVariables& settings() const { return setup_.settings; }
   const vfs::FileSystem& files() const { return setup_.library.files(); }
   void print(std::string_view text);
+  void print_event(std::string_view text);  // only where ServerSetup::prints_events
   double now_s() const { return now_s_; }
   std::uint64_t ticks() const { return ticks_; }
 

@@ -64,7 +64,7 @@ void Server::take_event(const net::PeerConnected& event) {
   client.joined_at_s = now_s_;
   client.command_credit = kCommandsAtOnce;
   client.credit_since_s = now_s_;
-  print(fmt::format("client {} connected\n", client.address));
+  print_event(fmt::format("client {} connected\n", client.address));
   base::Result<SpawnParameters> parameters = game_->new_parameters();
   if (!parameters.ok()) return fail(parameters.error());
   client.parameters = *parameters;
@@ -144,7 +144,7 @@ base::Status Server::put_in_game(std::size_t slot) {
 void Server::begin_play(std::size_t slot) {
   Client& client = clients_[slot];
   client.stage = ClientStage::kPlaying;
-  print(fmt::format("{} entered the game\n", client.name));
+  print_event(fmt::format("{} entered the game\n", client.name));
 }
 
 void Server::take_messages(std::size_t slot, base::Bytes bytes, bool is_reliable) {

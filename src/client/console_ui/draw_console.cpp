@@ -1,5 +1,5 @@
-// ConsoleUi::draw. In the original's pixels from the console's bottom edge up: an empty row with the version
-// at its right, the line that is typed, then what was printed, newest lowest.
+// ConsoleUi::draw. In the original's pixels from the console's bottom edge up: the lower edge of the picture behind
+// it, with the version at its right, the line that is typed, then what was printed, newest lowest.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,12 @@ namespace temblor::client {
 namespace {
 
 constexpr double kOpenHeight = 0.5;  // of the frame, over a game
-constexpr int kInputRow = 2;         // from the bottom, of those of the console; above it stands the log
+
+// The original's picture has an edge of 12 of its 200 rows, which nothing is read on.
+int bottom_edge(const ConsoleCanvas& canvas) {
+  constexpr int kEdge = 12, kPictureHeight = 200;
+  return std::max(kCharacterSide, canvas.height() * kEdge / kPictureHeight);
+}
 
 // As many characters as the first `bytes` bytes are.
 std::size_t glyphs_before(std::string_view text, std::size_t bytes) {
@@ -58,14 +63,16 @@ std::string ConsoleUi::prompt() const {
 void ConsoleUi::draw_page(const ConsoleCanvas& canvas, const ConsoleView& view) {
   const int bottom = static_cast<int>(std::lround(shown_ * canvas.height()));
   if (bottom <= 0) return;
-  const auto row_y = [&](int row) { return bottom - row * kCharacterSide; };
+  // Rows of text above the edge, from 1.
+  const auto row_y = [&](int row) { return bottom - bottom_edge(canvas) - row * kCharacterSide; };
   canvas.background(bottom, view.game_runs ? view.settings.opacity : 1);
-  canvas.text_at_right(to_bronze_glyphs(view.version), row_y(1));
-  draw_input(canvas, prompt(), line_, row_y(kInputRow), time_s_);
+  canvas.text_at_right(to_bronze_glyphs(view.version), bottom - kCharacterSide);
+  draw_input(canvas, prompt(), line_, row_y(1), time_s_);
 
-  int row = kInputRow + 1;
+  int row = 2;
   if (!scrollback_.is_at_end()) draw_more_below(canvas, row_y(row++));
-  const int rows = std::max(0, row_y(row) / kCharacterSide + 2);  // the highest may be cut off
+  // The highest may be cut off.
+  const int rows = std::max(0, (row_y(row) + kCharacterSide - 1) / kCharacterSide + 1);
   scrollback_.rows_upwards(log_, static_cast<std::size_t>(rows), rows_);
   for (const std::string_view text : rows_) canvas.text(text, 0, row_y(row++));
 }
@@ -93,7 +100,7 @@ void ConsoleUi::draw(const ConsoleView& view, int width, int height, render::Dra
   const ConsoleCanvas canvas(view.pictures, view.settings, width, height, io_list);
   // Whole rows, below which the arrows have room.
   const double page = (view.game_runs ? kOpenHeight : 1) * canvas.height();
-  scrollback_.set_page(canvas.columns(), static_cast<int>(page) / kCharacterSide - kInputRow - 1);
+  scrollback_.set_page(canvas.columns(), (static_cast<int>(page) - bottom_edge(canvas)) / kCharacterSide - 2);
   if (shown_ > 0) return draw_page(canvas, view);
   const int y = draw_notify(canvas, view.settings) * kCharacterSide;
   if (entry_ != Entry::kChat && entry_ != Entry::kTeamChat) return;
