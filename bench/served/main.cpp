@@ -14,8 +14,10 @@
 
 #include "bench/served/crowd.h"
 #include "client/connection.h"
+#include "server/move_trace.h"
 #include "server/server.h"
 #include "support/bad_network.h"
+#include "support/random.h"
 
 namespace temblor {
 namespace {
@@ -81,12 +83,32 @@ class Bench {
           network_.open(addresses_.back()), client::PlayerSettings{fmt::format("p{}", i), 1, 2}));
       clients_.back()->connect(kServer, now_s_);
       play(0.2, false);
+      lead_away(static_cast<std::size_t>(i));
     }
     play(5, false);
+  }
+  void set_delay(double delay_s) {
+    network_.set_conditions({.delay_s = delay_s});
+    play(2, false);
   }
   std::size_t playing() const {
     std::size_t count = 0;
     for (const auto& client : clients_) count += client->is_playing() ? 1 : 0;
+    return count;
+  }
+  // Where the living ones are.
+  std::vector<math::Vec3> places_of_players() {
+    std::vector<math::Vec3> places;
+    for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
+      const server::Edict player = server_->game()->player(slot);
+      if (player[server::field::kHealth] > 0) places.push_back(player[server::field::kOrigin]);
+    }
+    return places;
+  }
+  // Of all clients.
+  std::uint64_t updates() const {
+    std::uint64_t count = 0;
+    for (const auto& client : clients_) count += client->updates();
     return count;
   }
   std::uint64_t bytes_to_clients() const {
@@ -96,6 +118,28 @@ class Bench {
   }
 
  private:
+  // From the few places where players begin, so that the next one does not end him: somewhere, by a few free
+  // ways.
+  void lead_away(std::size_t slot) {
+    server::GameWorld& world = server_->game()->world();
+    const server::Edict player = server_->game()->player(slot);
+    const math::Vec3 from = player[server::field::kOrigin];
+    for (int attempt = 0; attempt < 1000; ++attempt) {
+      math::Vec3 place = from;
+      for (int way = 0; way < 12; ++way)
+        place = server::trace_move(world, place, player[server::field::kMins], player[server::field::kMaxs],
+                                   place + random_.in_cube(600) * math::Vec3{1, 1, 0.5f},
+                                   server::MoveKind::kNoMonsters, player.index())
+                    .trace.end;
+      player.set(server::field::kOrigin, place);
+      if (server::is_stuck(world, player.index())) continue;
+      if (const auto linked = server::link(world, player.index(), server::TouchTriggers::kNo); !linked.ok())
+        fail(linked.error());
+      return;
+    }
+    std::abort();
+  }
+
   static inline const platform::Address kServer = platform::ip4_address({10, 0, 0, 1}, 26000);
   command::Variables variables_;
   assets::Library library_;
@@ -104,6 +148,7 @@ class Bench {
   std::unique_ptr<server::Server> server_;
   std::vector<platform::Address> addresses_;
   std::vector<std::unique_ptr<client::Connection>> clients_;
+  test::Random random_{7};
   double now_s_ = 1;
 };
 
@@ -146,21 +191,30 @@ void bench_monsters(const std::filesystem::path& data, const std::filesystem::pa
   }
 }
 
-// `max_rate`: bytes a second to each client, 0 for as many as it takes.
-void bench_clients(const std::filesystem::path& data, const std::filesystem::path& progs, int max_rate) {
+// `max_rate`: bytes a second to each client, 0 for as many as it takes. `delay_s`: of the network, one way.
+void bench_clients(const std::filesystem::path& data, const std::filesystem::path& progs, int max_rate,
+                   double delay_s) {
   for (const bool they_move : {true, false}) {
     Bench bench(data, progs, kClients);
     if (!bench.variables().set("deathmatch", "1").ok()) std::abort();
     if (!bench.variables().set("sv_maxrate", std::to_string(max_rate)).ok()) std::abort();
     bench.start("lqdm5");
     bench.join(kClients);
-    const std::uint64_t before = bench.bytes_to_clients();
+    bench.set_delay(delay_s);
+    const std::uint64_t before = bench.bytes_to_clients(), updates_before = bench.updates();
     constexpr double kPlayed_s = 20;
     const double cost_s = bench.play(kPlayed_s, they_move);
+    const double updates = static_cast<double>(bench.updates() - updates_before) / kPlayed_s / kClients;
     const double bytes = static_cast<double>(bench.bytes_to_clients() - before) / kPlayed_s / kClients;
+    const std::vector<math::Vec3> places = bench.places_of_players();
+    bench.play(0.3, they_move);
     fmt::print(
-        "| {} clients {} on lqdm5, sv_maxrate {} | {:.1f} % of a core | {:.1f} KB a second to each |\n",
-        bench.playing(), they_move ? "run" : "stand", max_rate, 100 * cost_s / kPlayed_s, bytes / 1000);
+        "| {} clients, {} alive, {} {} on lqdm5, sv_maxrate {}, {:.0f} ms there and back | {:.1f} % of a "
+        "core | {:.1f} KB and {:.0f} "
+        "updates a second to each |\n",
+        bench.playing(), places.size(), count_moved(places, bench.places_of_players()),
+        they_move ? "run" : "stand", max_rate, 2000 * delay_s, 100 * cost_s / kPlayed_s, bytes / 1000,
+        updates);
   }
 }
 
@@ -201,8 +255,9 @@ int main(int argument_count, char** arguments) {
   }
   temblor::bench_monsters(data, arguments[1], false);
   temblor::bench_monsters(data, arguments[1], true);
-  temblor::bench_clients(data, arguments[1], 0);
-  temblor::bench_clients(data, arguments[1], 5000);
+  temblor::bench_clients(data, arguments[1], 0, 0);
+  temblor::bench_clients(data, arguments[1], 0, 0.05);
+  temblor::bench_clients(data, arguments[1], 5000, 0.05);
   temblor::bench_quiet(data, arguments[1]);
   temblor::bench_level_change(data, arguments[1]);
   return 0;

@@ -27,6 +27,8 @@ void Connection::connect(const platform::Address& server, double now_s) {
   view_angles_deg_ = math::Vec3{0.0f};
   move_terms_.reset();
   acknowledged_.reset();
+  takes_differences_ = false;
+  known_updates_.forget();
   sent_moves_.begin_level();
   endpoint_.connect(server, now_s);
 }
@@ -40,7 +42,7 @@ void Connection::update(double now_s) {
   endpoint_.update(now_s);
   while (std::optional<net::ClientEvent> event = endpoint_.next_event(now_s)) {
     if (const auto* packet = std::get_if<net::FromServer>(&*event)) {
-      if (const base::Status status = read(packet->bytes); !status.ok()) {
+      if (const base::Status status = read_from(*packet); !status.ok()) {
         lost_because_ = status.error().message();
         endpoint_.disconnect();
         return;
@@ -51,6 +53,17 @@ void Connection::update(double now_s) {
     }
   }
   send_waiting();
+}
+
+// Updates that are told as differences become stock messages here: nothing behind knows of them.
+base::Status Connection::read_from(const net::FromServer& message) {
+  const bool is_difference =
+      takes_differences_ && !message.reliable && net::is_difference_packet(message.bytes);
+  if (!is_difference) return read(message.bytes);
+  // Of the level before, late.
+  if (state_.game().signon < kPlaying - 1) return base::Ok{};
+  TRY(const std::optional<base::Bytes> stock, known_updates_.read(message.bytes, reader_.dialect()));
+  return stock ? read(*stock) : base::Status(base::Ok{});
 }
 
 base::Status Connection::read(base::Bytes packet) {
@@ -76,6 +89,7 @@ base::Status Connection::read(base::Bytes packet) {
       moves_left_out_ = 0;
       move_terms_.reset();
       acknowledged_.reset();
+      known_updates_.forget();
       sent_moves_.begin_level();
       has_level = true;
     }
@@ -126,6 +140,8 @@ void Connection::take_comment(std::string_view text) {
   } else if (const auto told = net::read_acknowledgement(text)) {
     acknowledged_ = told;
     ++acknowledgements_;
+  } else if (net::is_difference_offer(text)) {
+    takes_differences_ = true;
   }
 }
 
@@ -196,7 +212,8 @@ void Connection::send_move(net::Move move) {
   if (move_terms_) {
     if (last_move_due_s_) *last_move_due_s_ += move_terms_->tick_s;
     if (!sent_moves_.add(move, protocol)) return;
-    sent_moves_.write_packet(protocol, writer);
+    sent_moves_.write_packet(
+        {.takes_differences = takes_differences_, .known_update = known_updates_.latest()}, protocol, writer);
   } else if (!net::write_client_message(move, protocol, writer).ok()) {
     return;
   }

@@ -17,6 +17,7 @@
 #include "net/demo_recording.h"
 #include "net/message_reader.h"
 #include "net/numbered_moves.h"
+#include "net/told_updates.h"
 
 namespace temblor::client {
 
@@ -77,6 +78,7 @@ class Connection {
   const net::Channel& channel() const { return endpoint_.channel(); }
 
  private:
+  base::Status read_from(const net::FromServer& message);
   base::Status read(base::Bytes packet);
   void record(base::Bytes packet, bool begins_level);
   void answer_signon();
@@ -96,6 +98,8 @@ class Connection {
   std::optional<net::MoveTerms> move_terms_;
   std::optional<net::MoveAcknowledgement> acknowledged_;
   std::uint64_t acknowledgements_ = 0;
+  bool takes_differences_ = false;  // the server has offered them
+  net::KnownUpdates known_updates_;
   SentMoves sent_moves_;
   std::optional<double> last_move_due_s_;  // when the last numbered one was
   std::uint64_t updates_ = 0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/check.h"
-#include "net/numbered_moves.h"
 
 namespace temblor::client {
 
@@ -18,11 +17,13 @@ bool SentMoves::add(const net::Move& move, net::Protocol protocol) {
   return true;
 }
 
-void SentMoves::write_packet(net::Protocol protocol, base::ByteWriter& io_writer) const {
+void SentMoves::write_packet(net::NumberedPacket head, net::Protocol protocol,
+                             base::ByteWriter& io_writer) const {
   CHECK(!moves_.empty());
+  head.last_move = last_number_;
   const std::size_t count = std::min(moves_.size(), net::kMovesInPacket);
-  const base::Status numbered = net::write_client_message(
-      net::StringCommand{net::move_number_command(last_number_)}, protocol, io_writer);
+  const base::Status numbered =
+      net::write_client_message(net::StringCommand{net::command_of(head)}, protocol, io_writer);
   CHECK(numbered.ok());
   for (const NumberedMove& sent : std::span(moves_).last(count)) {
     const base::Status written = net::write_client_message(sent.move, protocol, io_writer);

@@ -7,6 +7,7 @@
 
 #include "base/bytes.h"
 #include "net/client_message.h"
+#include "net/numbered_moves.h"
 
 namespace temblor::client {
 
@@ -22,8 +23,9 @@ class SentMoves {
 
   // The next one. False where it cannot be said.
   bool add(const net::Move& move, net::Protocol protocol);
-  // The packet's bytes: the last number and the last few moves. There must be one.
-  void write_packet(net::Protocol protocol, base::ByteWriter& io_writer) const;
+  // The packet's bytes: its head, to which the last number is added, and the last few moves. There must be
+  // one.
+  void write_packet(net::NumberedPacket head, net::Protocol protocol, base::ByteWriter& io_writer) const;
 
   // In order of number, without gaps; the last kKept of this level.
   std::span<const NumberedMove> moves() const { return moves_; }

@@ -9,6 +9,8 @@
 #include <cstring>
 #include <span>
 
+#include "net/letters.h"
+
 namespace temblor::net {
 namespace {
 
@@ -16,11 +18,10 @@ namespace {
 constexpr float kMostOfAnything = 1e6f;
 
 constexpr std::string_view kTermsBegin = "//temblor moves ", kAcknowledgementBegin = "//a ";
-constexpr std::string_view kNumberBegin = "tm ";
+constexpr std::string_view kNumberBegin = "tm ", kNoUpdate = "-";
+constexpr std::string_view kDifferenceOffer = "//temblor differences\n";
+constexpr std::size_t kUpdateLetters = 3;  // of a number of 16 bits
 constexpr double kShortestTick_s = 0.001, kLongestTick_s = 0.1;
-
-// Six bits a letter; none of them means anything to a console.
-constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
 enum Flag : std::uint16_t {
   kAlive = 1,
@@ -79,8 +80,10 @@ void exchange(Wire& io_wire, Acknowledgement& a, std::uint16_t flags) {
   }
 }
 
+using WireBytes = std::array<std::byte, 2 + 4 * (kMaxAcknowledgementWords - 1)>;  // more than all fields
+
 struct WireWriter {
-  std::array<std::byte, 128> bytes;  // more than all fields
+  WireBytes bytes;
   std::size_t size = 0;
   template <typename T>
   void operator()(const T& value) {
@@ -107,37 +110,6 @@ struct WireReader {
     for (int axis = 0; axis < 3; ++axis) (*this)(out_value[axis]);
   }
 };
-
-void append_letters(base::Bytes bytes, std::string& io_text) {
-  std::uint32_t bits = 0;
-  int count = 0;
-  const auto letter = [&] { io_text += kLetters[bits >> (count - 6) & 63]; };
-  for (const std::uint8_t byte : base::as_u8(bytes)) {
-    bits = bits << 8 | byte;
-    for (count += 8; count >= 6; count -= 6) letter();
-  }
-  if (count == 0) return;
-  bits <<= 6 - count;
-  count = 6;
-  letter();
-}
-
-// Nothing where another letter is among them.
-std::optional<base::ByteVector> bytes_of_letters(std::string_view text) {
-  base::ByteVector bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    const std::size_t value = kLetters.find(c);
-    if (value == std::string_view::npos) return std::nullopt;
-    bits = bits << 6 | static_cast<std::uint32_t>(value);
-    count += 6;
-    if (count < 8) continue;
-    count -= 8;
-    bytes.push_back(static_cast<std::byte>(bits >> count & 255));
-  }
-  return bytes;
-}
 
 std::string_view without_end(std::string_view line) {
   while (line.ends_with('\n')) line.remove_suffix(1);
@@ -201,9 +173,10 @@ void write_line(const MoveAcknowledgement& acknowledgement, std::string& out_lin
 
 std::optional<MoveAcknowledgement> read_acknowledgement(std::string_view line) {
   if (!line.starts_with(kAcknowledgementBegin)) return std::nullopt;
-  const auto bytes = bytes_of_letters(without_end(line.substr(kAcknowledgementBegin.size())));
-  if (!bytes) return std::nullopt;
-  WireReader reader{base::ByteReader(*bytes)};
+  WireBytes bytes;
+  const auto size = read_letters(without_end(line.substr(kAcknowledgementBegin.size())), bytes);
+  if (!size) return std::nullopt;
+  WireReader reader{base::ByteReader(base::Bytes(bytes).first(*size))};
   const std::uint16_t flags = reader.bytes.u16();
   MoveAcknowledgement a;
   a.is_alive = (flags & kAlive) != 0;
@@ -218,17 +191,64 @@ std::optional<MoveAcknowledgement> read_acknowledgement(std::string_view line) {
   return reader.bytes.ok() && reader.is_sane ? std::optional(a) : std::nullopt;
 }
 
-std::string move_number_command(std::uint32_t last_number) {
-  return fmt::format("{}{}", kNumberBegin, last_number);
+std::size_t read_words(std::string_view line, std::span<std::uint32_t> out_words) {
+  if (!line.starts_with(kAcknowledgementBegin) || !line.ends_with('\n')) return 0;
+  line.remove_prefix(kAcknowledgementBegin.size());
+  line.remove_suffix(1);
+  WireBytes bytes;
+  const auto size = read_letters(line, bytes);
+  if (!size || *size % 4 != 2) return 0;
+  const std::size_t count = 1 + *size / 4;
+  if (count > out_words.size()) return 0;
+  base::ByteReader reader(base::Bytes(bytes).first(*size));
+  out_words[0] = reader.u16();
+  for (std::uint32_t& word : out_words.subspan(1, count - 1)) word = reader.u32();
+  return count;
 }
 
-std::optional<std::uint32_t> read_move_number(std::string_view command) {
+void write_line(std::span<const std::uint32_t> words, std::string& out_line) {
+  WireWriter writer;
+  writer(static_cast<std::uint16_t>(words[0]));
+  for (const std::uint32_t word : words.subspan(1)) writer(word);
+  out_line = kAcknowledgementBegin;
+  append_letters(base::Bytes(writer.bytes).first(writer.size), out_line);
+  out_line += '\n';
+}
+
+std::string line_of_difference_offer() {
+  return std::string(kDifferenceOffer);
+}
+
+bool is_difference_offer(std::string_view line) {
+  return line == kDifferenceOffer;
+}
+
+std::string command_of(const NumberedPacket& packet) {
+  std::string command = fmt::format("{}{}", kNumberBegin, packet.last_move);
+  if (!packet.takes_differences) return command;
+  command += ' ';
+  if (!packet.known_update) return command += kNoUpdate;
+  append_letters(std::as_bytes(std::span(&*packet.known_update, 1)), command);
+  return command;
+}
+
+std::optional<NumberedPacket> read_numbered_packet(std::string_view command) {
   if (!command.starts_with(kNumberBegin)) return std::nullopt;
   command.remove_prefix(kNumberBegin.size());
-  std::uint32_t number = 0;
-  const auto [end, failure] = std::from_chars(command.data(), command.data() + command.size(), number);
-  if (failure != std::errc() || end != command.data() + command.size()) return std::nullopt;
-  return number;
+  NumberedPacket packet;
+  const auto [end, failure] =
+      std::from_chars(command.data(), command.data() + command.size(), packet.last_move);
+  if (failure != std::errc()) return std::nullopt;
+  command.remove_prefix(static_cast<std::size_t>(end - command.data()));
+  if (command.empty()) return packet;
+  if (!command.starts_with(' ')) return std::nullopt;
+  command.remove_prefix(1);
+  packet.takes_differences = true;
+  if (command == kNoUpdate) return packet;
+  std::array<std::byte, 2> bytes;
+  if (command.size() != kUpdateLetters || !read_letters(command, bytes)) return std::nullopt;
+  packet.known_update = base::ByteReader(bytes).u16();
+  return packet;
 }
 
 }  // namespace temblor::net

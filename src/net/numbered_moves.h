@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -60,9 +61,27 @@ void write_line(const MoveAcknowledgement& acknowledgement, std::string& out_lin
 std::optional<MoveTerms> read_move_terms(std::string_view line);
 std::optional<MoveAcknowledgement> read_acknowledgement(std::string_view line);
 
-// Before the moves of a packet (clc_stringcmd): the number of the last one. Those before it count down.
-std::string move_number_command(std::uint32_t last_number);
-std::optional<std::uint32_t> read_move_number(std::string_view command);
+// An acknowledgement's line as numbers that can be compared with another's (net/update_state.h). How many
+// there are, at most kMaxAcknowledgementWords; 0 for any other line.
+constexpr std::size_t kMaxAcknowledgementWords = 32;
+std::size_t read_words(std::string_view line, std::span<std::uint32_t> out_words);
+// The line of 1 to kMaxAcknowledgementWords words, whatever they are.
+void write_line(std::span<const std::uint32_t> words, std::string& out_line);
+
+// What a server says, also in a line of comment, to a client that numbers its moves: that it would tell
+// updates as differences (net/told_updates.h), once that client knows of it.
+std::string line_of_difference_offer();
+bool is_difference_offer(std::string_view line);
+
+// What a client says before the moves of a packet (clc_stringcmd).
+struct NumberedPacket {
+  std::uint32_t last_move = 0;  // those before it count down
+  bool takes_differences = false;
+  std::optional<std::uint16_t> known_update{};  // the last that it has: only with takes_differences
+  bool operator==(const NumberedPacket&) const = default;
+};
+std::string command_of(const NumberedPacket& packet);
+std::optional<NumberedPacket> read_numbered_packet(std::string_view command);
 
 // Moves that a packet may hold, and those that a client of ours puts there: three packets in a row that
 // get lost take no move with them.

@@ -10,6 +10,7 @@
 #include "base/bytes.h"
 #include "net/numbered_moves.h"
 #include "net/server_endpoint.h"
+#include "net/told_updates.h"
 #include "server/client_datagram.h"
 #include "server/move_queue.h"
 
@@ -42,8 +43,11 @@ struct Client {
   PlayerInput input{};
   MoveQueue moves;                             // in place of `input`, once they are numbered
   std::optional<net::MoveTerms> told_terms{};  // of this level
-  std::int16_t frags_told = 0;                 // what clients know
-  double joined_at_s = 0;                      // of the server's clock
+  // It was told that updates may be told as differences, and has said that it takes them.
+  bool was_offered_differences = false, takes_differences = false;
+  std::optional<net::ToldUpdates> told_updates{};  // once it has taken them
+  std::int16_t frags_told = 0;                     // what clients know
+  double joined_at_s = 0;                          // of the server's clock
   std::deque<WaitingMessage> waiting;
   // While it loads: stock clients that read anything then give up. Sent behind the level's beginning.
   std::deque<WaitingMessage> held;

@@ -164,19 +164,45 @@ DatagramCounts write_datagram(Game& io_game, std::size_t slot, const Snapshot& s
   look_around(io_game, edict, io_scratch);
 
   DatagramCounts counts;
+  io_scratch.time = io_writer.size();
   io_game.outbox().write(net::Time{static_cast<float>(io_game.time_s())}, io_writer);
+  io_scratch.once = io_writer.size();
   write_damage(io_game, edict, io_writer);
   write_turn(io_game, edict, io_untold.turn, io_writer);
+  io_scratch.client_data = io_writer.size();
   io_game.outbox().write(client_data_of(io_game, slot), io_writer);
+  io_scratch.acknowledgement = io_writer.size();
   if (!io_untold.acknowledgement.empty()) {
     io_game.outbox().write(net::StuffText{io_untold.acknowledgement}, io_writer);
     io_untold.acknowledgement.clear();
   }
+  io_scratch.entities = io_writer.size();
   const std::size_t room = max_size > io_writer.size() ? max_size - io_writer.size() : 0;
   choose_seen(io_game, slot, snapshot, room, io_scratch, counts);
   for (const std::uint32_t i : io_scratch.seen) io_writer.bytes(snapshot.update_of(snapshot.entities[i]));
+  io_scratch.events = io_writer.size();
   write_events(io_game, max_size, io_scratch.sight, io_untold, counts, io_writer);
   return counts;
+}
+
+bool take_datagram_apart(base::Bytes datagram, const Snapshot& snapshot, const net::Dialect& dialect,
+                         const DatagramScratch& scratch, net::UpdateState& out_state) {
+  const auto part = [&](std::size_t begin, std::size_t end) { return datagram.subspan(begin, end - begin); };
+  if (scratch.seen.size() > net::UpdateState::kMaxEntities) return false;
+  const net::UpdateParts parts{.time = part(scratch.time, scratch.once),
+                               .once = part(scratch.once, scratch.client_data),
+                               .client_data = part(scratch.client_data, scratch.acknowledgement),
+                               .acknowledgement = part(scratch.acknowledgement, scratch.entities),
+                               .events = part(scratch.events, datagram.size())};
+  if (!net::take_apart(parts, dialect, out_state)) return false;
+  for (const std::uint32_t i : scratch.seen) out_state.entities.push_back(snapshot.words[i]);
+  // Where not all had room they are in order of distance.
+  const auto by_number = [](const net::UpdateState::Entity& a, const net::UpdateState::Entity& b) {
+    return a.number < b.number;
+  };
+  if (!std::is_sorted(out_state.entities.begin(), out_state.entities.end(), by_number))
+    std::sort(out_state.entities.begin(), out_state.entities.end(), by_number);
+  return true;
 }
 
 DatagramCounts keep_events(Game& io_game, std::size_t slot, std::size_t max_bytes,

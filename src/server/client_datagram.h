@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "net/update_state.h"
 #include "server/game.h"
 #include "server/sight.h"
 #include "server/snapshot.h"
@@ -16,6 +17,8 @@ namespace temblor::server {
 struct DatagramScratch {
   Sight sight;
   std::vector<std::uint32_t> seen;  // into Snapshot::entities
+  // Of the datagram that was written last: where each part begins in the writer's bytes, in this order.
+  std::size_t time = 0, once = 0, client_data = 0, acknowledgement = 0, entities = 0, events = 0;
 };
 
 struct DatagramCounts {
@@ -51,6 +54,11 @@ net::ClientData client_data_of(Game& io_game, std::size_t slot);
 DatagramCounts write_datagram(Game& io_game, std::size_t slot, const Snapshot& snapshot,
                               std::size_t max_bytes, Untold& io_untold, DatagramScratch& io_scratch,
                               base::ByteWriter& io_writer);
+
+// The datagram that was just written to `datagram`, and nothing else, taken apart. False: it holds what
+// cannot be.
+bool take_datagram_apart(base::Bytes datagram, const Snapshot& snapshot, const net::Dialect& dialect,
+                         const DatagramScratch& scratch, net::UpdateState& out_state);
 
 // Instead of a datagram: what happened this tick, for the next one. At most `max_bytes` are kept.
 DatagramCounts keep_events(Game& io_game, std::size_t slot, std::size_t max_bytes,

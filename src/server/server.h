@@ -108,6 +108,7 @@ class Server {
   void leave(std::size_t slot);
   void take_messages(std::size_t slot, base::Bytes bytes, bool is_reliable);
   void take_move(std::size_t slot, const net::Move& move);
+  void take_packet_head(std::size_t slot, const net::NumberedPacket& head);
   void note_ping(std::size_t slot, float told_time_s);
   void take_command(std::size_t slot, std::string_view line);
   // Answers to what clients ask for while they join; each fails where QuakeC does.
@@ -134,11 +135,13 @@ class Server {
   base::Status take_numbered_moves(std::size_t slot);
   void tell_move_terms();
   void tell_changed_rules();
+  void offer_differences(std::size_t slot);
   void acknowledge_moves(std::size_t slot);
   void send_tick();
   bool take_turn(std::size_t slot);
   void record_of(std::size_t slot, base::Bytes messages);
   void send_to(std::size_t slot);
+  bool write_difference(std::size_t slot);
   void tell_frags();
   void clear_flashes();
   void autosave();
@@ -151,7 +154,7 @@ class Server {
   std::unique_ptr<Game> game_;
   Snapshot snapshot_;
   DatagramScratch scratch_;
-  base::ByteWriter datagram_;
+  base::ByteWriter datagram_, difference_;
   std::vector<PlayerInput> inputs_;
   std::optional<Recorder> recorder_;
   double now_s_ = 0;

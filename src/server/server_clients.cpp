@@ -108,6 +108,7 @@ base::Status Server::tell_level(std::size_t slot) {
   clients_[slot].input = PlayerInput{};
   clients_[slot].moves = MoveQueue{};
   clients_[slot].told_terms.reset();
+  if (clients_[slot].told_updates) clients_[slot].told_updates->forget();
   TRY(base::ByteVector message, level_message(*game_, slot));
   clients_.queue_alone(slot, std::move(message));
   return base::Ok{};
@@ -172,7 +173,12 @@ void Server::take_messages(std::size_t slot, base::Bytes bytes, bool is_reliable
       else
         take_move(slot, *move);
     } else if (const auto* command = std::get_if<net::StringCommand>(&**message)) {
-      if (!is_reliable && !numbered.last_number) numbered.last_number = net::read_move_number(command->text);
+      if (!is_reliable && !numbered.last_number) {
+        if (const auto head = net::read_numbered_packet(command->text)) {
+          numbered.last_number = head->last_move;
+          take_packet_head(slot, *head);
+        }
+      }
       if (numbered.last_number) continue;
       take_command(slot, command->text);
       if (clients_[slot].is_free() || !game_) return;
@@ -186,6 +192,15 @@ void Server::take_messages(std::size_t slot, base::Bytes bytes, bool is_reliable
 void Server::note_ping(std::size_t slot, float told_time_s) {
   const float ping_s = static_cast<float>(game_->time_s()) - told_time_s;
   clients_[slot].add_ping(std::clamp(ping_s, 0.0f, kLongestPing_s));
+}
+
+// Which updates the client has.
+void Server::take_packet_head(std::size_t slot, const net::NumberedPacket& head) {
+  Client& client = clients_[slot];
+  client.takes_differences = client.was_offered_differences && head.takes_differences;
+  if (!client.takes_differences) return;
+  if (!client.told_updates) client.told_updates.emplace();
+  if (head.known_update) client.told_updates->acknowledge(*head.known_update);
 }
 
 // One without a number, which holds until the next one comes.

@@ -89,6 +89,7 @@ base::Status Server::take_numbered_moves(std::size_t slot) {
 void Server::tell_move_terms() {
   for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
     if (!clients_[slot].is_in_game()) continue;
+    offer_differences(slot);
     const net::MoveTerms terms = move_terms(game_->world(), slot, setup_.settings.tick_s());
     if (clients_[slot].told_terms == terms) continue;
     clients_[slot].told_terms = terms;
@@ -103,6 +104,14 @@ void Server::tell_changed_rules() {
     for (const auto& [name, value] : settings.rules_changed_since(told_rules_version_))
       clients_.print_everyone(fmt::format("\"{}\" changed to \"{}\"\n", name, value));
   told_rules_version_ = settings.variables().version();
+}
+
+// Only to clients of ours, who number their moves.
+void Server::offer_differences(std::size_t slot) {
+  Client& client = clients_[slot];
+  if (!client.moves.has_begun() || client.was_offered_differences) return;
+  client.was_offered_differences = true;
+  clients_.tell(slot, net::StuffText{net::line_of_difference_offer()});
 }
 
 void Server::acknowledge_moves(std::size_t slot) {
@@ -160,12 +169,28 @@ void Server::send_to(std::size_t slot) {
   datagram_.truncate(0);
   acknowledge_moves(slot);
   write_datagram(*game_, slot, snapshot_, max_datagram(*game_), client.untold, scratch_, datagram_);
-  client.rate_credit_bytes -= static_cast<double>(datagram_.size());
-  if (setup_.settings.has_reliable_updates())
-    clients_.queue_update(slot, datagram_.view());
+  const bool is_reliable = setup_.settings.has_reliable_updates();
+  const bool is_difference = !is_reliable && client.takes_differences && write_difference(slot);
+  const base::Bytes sent = is_difference ? difference_.view() : datagram_.view();
+  client.rate_credit_bytes -= static_cast<double>(sent.size());
+  if (is_reliable)
+    clients_.queue_update(slot, sent);
   else
-    clients_.send_unreliable(slot, datagram_.view());
+    clients_.send_unreliable(slot, sent);
   record_of(slot, datagram_.view());
+}
+
+// The datagram as what differs from one that the client has. False: it is no shorter so, and is told as it
+// is.
+bool Server::write_difference(std::size_t slot) {
+  net::ToldUpdates& told = *clients_[slot].told_updates;
+  difference_.truncate(0);
+  if (!take_datagram_apart(datagram_.view(), snapshot_, game_->setup().dialect, scratch_, told.next()))
+    return false;
+  told.write(difference_);
+  if (difference_.size() >= datagram_.size()) return false;
+  told.tell();
+  return true;
 }
 
 void Server::tell_frags() {

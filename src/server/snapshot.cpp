@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/check.h"
 #include "net/message_writer.h"
 
 namespace temblor::server {
@@ -47,6 +48,7 @@ net::EntityUpdate update_of(const Edict& edict, const EdictState& state, const L
 void take_snapshot(GameWorld& io_world, const vm::Machine& machine, const LookFields& fields,
                    const net::Dialect& dialect, Snapshot& io_snapshot) {
   io_snapshot.entities.clear();
+  io_snapshot.words.clear();
   io_snapshot.bytes.truncate(0);
   io_snapshot.unnumbered = 0;
   const bool is_stock = dialect.protocol == net::Protocol::kNetQuake;
@@ -64,6 +66,9 @@ void take_snapshot(GameWorld& io_world, const vm::Machine& machine, const LookFi
     const std::size_t begin = io_snapshot.bytes.size();
     const net::EntityUpdate update = update_of(edict, state, fields, io_world.time_s);
     if (!net::write_message(update, dialect, io_snapshot.bytes).ok()) continue;
+    const bool has_words = net::take_apart(base::Bytes(io_snapshot.bytes.view()).subspan(begin), dialect,
+                                           io_snapshot.words.emplace_back());
+    CHECK(has_words, "what was written is an update");
     io_snapshot.entities.push_back(
         {index, shows_something, edict[field::kOrigin], begin, io_snapshot.bytes.size()});
   }

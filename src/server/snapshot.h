@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "net/update_state.h"
 #include "server/baselines.h"
 #include "server/game_world.h"
 #include "server/outbox.h"
@@ -21,7 +22,8 @@ struct Snapshot {
     math::Vec3 origin{0.0f};
     std::size_t begin = 0, end = 0;  // of its update, in `bytes`
   };
-  std::vector<Entity> entities;  // in order of number
+  std::vector<Entity> entities;                 // in order of number
+  std::vector<net::UpdateState::Entity> words;  // of the same ones: their updates, to be compared
   base::ByteWriter bytes;
   std::size_t unnumbered = 0;  // entities that the dialect has no number for
 

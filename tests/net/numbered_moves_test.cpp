@@ -83,11 +83,41 @@ TEST(NumberedMoves, NonsenseIsNothing) {
   EXPECT_FALSE(read_move_terms("// a comment\n"));
 }
 
-TEST(NumberedMoves, NumbersOfMoves) {
-  EXPECT_EQ(read_move_number(move_number_command(0)), 0u);
-  EXPECT_EQ(read_move_number(move_number_command(4294967295u)), 4294967295u);
-  for (const char* text : {"tm", "tm ", "tm 4294967296", "tm -1", "tm 1 2", "tmx 1", "say tm 1"})
-    EXPECT_FALSE(read_move_number(text)) << text;
+TEST(NumberedMoves, HeadsOfPacketsComeBack) {
+  for (const std::uint32_t number : {0u, 7u, 4294967295u}) {
+    EXPECT_EQ(command_of({.last_move = number}), "tm " + std::to_string(number));
+    EXPECT_EQ(read_numbered_packet(command_of({.last_move = number})), NumberedPacket{.last_move = number});
+    const NumberedPacket none{.last_move = number, .takes_differences = true};
+    EXPECT_EQ(read_numbered_packet(command_of(none)), none);
+    for (const int update : {0, 1, 255, 256, 65535}) {
+      const auto known = static_cast<std::uint16_t>(update);
+      const NumberedPacket packet{.last_move = number, .takes_differences = true, .known_update = known};
+      EXPECT_EQ(read_numbered_packet(command_of(packet)), packet) << known;
+      EXPECT_EQ(command_of(packet).size(), command_of({.last_move = number}).size() + 4);
+    }
+  }
+  for (const char* text : {"tm", "tm ", "tm 4294967296", "tm -1", "tm 1 2", "tmx 1", "say tm 1", "tm 1 ",
+                           "tm 1 --", "tm 1 AAAA", "tm 1 A?A", "tm 1 AAA 1"})
+    EXPECT_FALSE(read_numbered_packet(text)) << text;
+}
+
+TEST(NumberedMoves, AcknowledgementsAsWordsBecomeTheSameLine) {
+  test::Random random(7);
+  std::array<std::uint32_t, kMaxAcknowledgementWords> words{};
+  std::string line, again;
+  for (int i = 0; i < 1000; ++i) {
+    write_line(some_acknowledgement(random), line);
+    const std::size_t count = read_words(line, words);
+    ASSERT_GE(count, 12u) << line;
+    write_line(std::span(words).first(count), again);
+    ASSERT_EQ(again, line);
+  }
+  for (const char* text : {"", "//a ", "//a AAAA", "//a A\n", "//a AAAA\n", "//b AAA\n", "//a ???\n"})
+    EXPECT_EQ(read_words(text, words), 0u) << text;
+  EXPECT_EQ(read_words("//a " + std::string(200, 'A') + "\n", words), 0u) << "more than there may be";
+  for (std::uint32_t& word : words) word = 0xffffffff;
+  write_line(words, line);
+  EXPECT_EQ(read_words(line, words), words.size()) << "the most that there may be";
 }
 
 }  // namespace

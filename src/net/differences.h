@@ -1,0 +1,24 @@
+// One state of the game told as what differs from another that the reader has too.
+#pragma once
+
+#include "base/bytes.h"
+#include "base/result.h"
+#include "net/update_model.h"
+#include "net/update_state.h"
+
+namespace temblor::net {
+
+struct KeptUpdate {
+  UpdateState state;
+  UpdateModel model;  // as after this state
+};
+
+// Appends bytes that, with the same `before` and `back`, make read_difference() give io_now; learns.
+// `before`: null for none; `back`: how many updates ago it was, from 1. CHECKs that there are no more than
+// kMaxEntities and kMaxPlainBytes.
+void write_difference(const KeptUpdate* before, int back, KeptUpdate& io_now, base::ByteWriter& io_writer);
+
+// Any bytes: kMalformed, and out_now of no use, for those that hold what no state can.
+base::Status read_difference(base::Bytes bytes, const KeptUpdate* before, int back, KeptUpdate& out_now);
+
+}  // namespace temblor::net
