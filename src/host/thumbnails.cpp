@@ -11,11 +11,37 @@
 namespace temblor::host {
 namespace {
 
-constexpr std::uint8_t kLastOpaque = 254;  // 255 is transparent
+constexpr int kSamples = 4;  // a side, of a pixel of a level's picture
 constexpr std::uint64_t kMaxPictureBytes = 1 << 22;
 
-// All of the level, from above, without ceilings.
-formats::Picture draw_level(const world::Level& level, const assets::Look& look) {
+int brightness(std::uint32_t rgb) {
+  return static_cast<int>((rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255)) / 3;
+}
+
+// As a photographer would: nine tenths of what is to be seen no brighter than this.
+void expose(std::span<std::uint32_t> io_rgb) {
+  constexpr int kWanted = 150, kMostGain = 8, kNothing = 2;
+  std::vector<int> seen;
+  for (const std::uint32_t pixel : io_rgb)
+    if (brightness(pixel) > kNothing) seen.push_back(brightness(pixel));
+  if (seen.empty()) return;
+  const auto ninth = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() * 9 / 10);
+  std::nth_element(seen.begin(), ninth, seen.end());
+  const float gain =
+      std::clamp(static_cast<float>(kWanted) / static_cast<float>(*ninth), 1.0f, float{kMostGain});
+  for (std::uint32_t& pixel : io_rgb) {
+    std::uint32_t brighter = 0;
+    for (const int shift : {16, 8, 0})
+      brighter |=
+          static_cast<std::uint32_t>(std::min(255.0f, static_cast<float>(pixel >> shift & 255) * gain))
+          << shift;
+    pixel = brighter;
+  }
+}
+
+// All of the level, from above, without ceilings; where there is sky below, nothing.
+formats::Picture draw_level(const world::Level& level, const assets::Look& look,
+                            const formats::NearestColour& colours) {
   const math::Bounds& bounds = level.world().bounds;
   const math::Vec3 size = bounds.maxs - bounds.mins;
   render::Scene scene;
@@ -23,20 +49,21 @@ formats::Picture draw_level(const world::Level& level, const assets::Look& look)
   scene.camera.origin_world = (bounds.mins + bounds.maxs) * 0.5f + math::Vec3(0, 0, glm::length(size));
   scene.camera.angles_deg = {90, 0, 0};
   scene.camera.projection = render::Projection::kOrthographic;
-  render::FrameBuffer frame(kThumbnailWidth, kThumbnailHeight, render::PixelFormat::kIndexed);
+  const render::Skybox nothing;
+  scene.skybox = &nothing;
+  render::FrameBuffer frame(kSamples * kThumbnailWidth, kSamples * kThumbnailHeight,
+                            render::PixelFormat::kRgb);
   render::Renderer renderer(look.palette, look.colormap);
   renderer.render(scene, {}, frame);
-  formats::Picture picture{
-      kThumbnailWidth, kThumbnailHeight, {frame.indexed().begin(), frame.indexed().end()}};
-  // The full-bright colour that pictures take for nothing.
-  std::replace(picture.pixels.begin(), picture.pixels.end(), std::uint8_t{255}, kLastOpaque);
-  return picture;
+  expose(frame.rgb());
+  return make_thumbnail(frame.rgb(), frame.width(), frame.height(), colours);
 }
 
-std::optional<formats::Picture> try_level(const GameData& data, const std::string& name) {
+std::optional<formats::Picture> try_level(const GameData& data, const std::string& name,
+                                          const formats::NearestColour& colours) {
   const base::Result<assets::LoadedLevel> loaded = assets::load_level(data.library.files(), name);
   if (!loaded.ok()) return std::nullopt;
-  return draw_level(*loaded->level, data.look);
+  return draw_level(*loaded->level, data.look, colours);
 }
 
 }  // namespace
@@ -99,7 +126,7 @@ const formats::Picture* Thumbnails::of_level(const std::string& name) {
   if (found != levels_.end()) return found->second ? &*found->second : nullptr;
   if (!drawing_.valid()) {
     drawn_level_ = name;
-    drawing_ = std::async(std::launch::async, [this, name] { return try_level(data_, name); });
+    drawing_ = std::async(std::launch::async, [this, name] { return try_level(data_, name, colours_); });
   }
   return nullptr;
 }

@@ -39,10 +39,10 @@ struct ServerSetup {
   // Replaces a file whole, or leaves the old one.
   std::function<base::Status(const std::filesystem::path& file, base::Bytes bytes)> write_file{};
   std::function<void(std::string_view text)> print;  // for the host's eyes; newlines are in it
-  // Who comes and speaks, and what of a level's entities the program does not know, is printed as well. Not for
-  // a host who plays: as a player he is told.
+  // Who comes and speaks, and what of a level's entities the program does not know, is printed as well. Not
+  // for a host who plays: as a player he is told.
   bool prints_events = true;
-  std::uint64_t seed = 1;                            // of the games' dice
+  std::uint64_t seed = 1;  // of the games' dice
 };
 
 class Server {

@@ -38,9 +38,8 @@ void register_menu_variables(command::Variables& io_variables) {
   static constexpr std::string_view kColours[] = {"rgb", "indexed"},
                                     kModes[] = {"window", "borderless", "fullscreen"},
                                     kMips[] = {"footprint", "stock"}, kPerspectives[] = {"exact", "every16"};
-  for (const char* name :
-       {"vid_vsync", "scr_showlatency", "host_parallel", "vid_render_scale_auto", "scr_showfps",
-        "r_coloured_light", "r_alias_snap", "con_highcontrast", "coop"})
+  for (const char* name : {"vid_vsync", "scr_showlatency", "host_parallel", "vid_render_scale_auto",
+                           "scr_showfps", "r_coloured_light", "r_alias_snap", "con_highcontrast", "coop"})
     v.add_bool(name, false, fmt::format("What {} does, said in one sentence that may be rather long.", name));
   for (const char* name : {"vid_render_scale", "joy_rumble"})
     v.add_float(name, 0.5, 0, 1, fmt::format("How much there is of {}.", name));

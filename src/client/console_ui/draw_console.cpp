@@ -1,5 +1,5 @@
-// ConsoleUi::draw. In the original's pixels from the console's bottom edge up: the lower edge of the picture behind
-// it, with the version at its right, the line that is typed, then what was printed, newest lowest.
+// ConsoleUi::draw. In the original's pixels from the console's bottom edge up: the lower edge of the picture
+// behind it, with the version at its right, the line that is typed, then what was printed, newest lowest.
 #include <fmt/format.h>
 
 #include <algorithm>

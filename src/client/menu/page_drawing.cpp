@@ -113,7 +113,7 @@ PageView::Layout PageView::lay_out(const Canvas& canvas, int top) const {
                          : Box{kCursor, top, width - kCursor - kScrollBar, std::max(bottom - top, kLine)};
   constexpr int kLeastDetails = 200;
   if (page_.style == PageStyle::kDetails && width >= kLeastDetails) {
-    layout.rows.width = width / 2 - kCursor;
+    layout.rows.width = width * 9 / 16 - kCursor;  // a level's picture needs the rest
     const int x = layout.rows.right() + kScrollBar + kGap;
     layout.details = {x, top, width - kMargin - x, bottom - top};
   }
