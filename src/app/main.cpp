@@ -89,11 +89,11 @@ std::string describe_parse_error(const CLI::App& program, const CommonOptions& o
   const auto is_folder = [&](const CLI::App* command) { return command->get_name() == folder; };
   if (program.get_subcommands().empty() && !program.get_subcommands(is_folder).empty())
     return fmt::format("--basedir is followed by the command \"{}\" where the folder should be", folder);
-  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && program.get_subcommands().empty())
-    return "`temblor play` begins the game; `temblor --help` lists what else there is";
   const std::vector<std::string> unknown = program.remaining();
   if (program.get_subcommands().empty() && !unknown.empty())
     return fmt::format("there is no command or option \"{}\"", unknown.front());
+  if (program.get_subcommands().empty() && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+    return "a command is missing: `temblor play` begins the game";
   return error.what();
 }
 

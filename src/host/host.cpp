@@ -17,6 +17,12 @@ constexpr double kHiddenRate_hz = 10;  // nobody looks
 // A server tells of a turn several times, lest one is lost.
 constexpr double kSameTurn_s = 0.1;
 
+// While recordings are shown to nobody a key is somebody who has come, unless he wants something of this.
+bool runs_while_attracting(std::string_view commands) {
+  return commands == "toggleconsole" || commands == "screenshot" || commands == "help_menu" ||
+         commands.starts_with("menu_");
+}
+
 }  // namespace
 
 Host::Host(Services services, const HostVariables& variables, HostOptions options)
@@ -73,6 +79,7 @@ bool Host::frame() {
   take_input();
   event_time_s_ = now_s_;
   console_.run();
+  if (!std::exchange(has_begun_, true)) welcome();
   if (std::optional<std::vector<std::string>> games = std::exchange(wanted_games_, std::nullopt))
     if (const base::Status changed = change_games(std::move(*games)); !changed.ok())
       print(changed.error().message());
@@ -87,6 +94,13 @@ bool Host::frame() {
   draw();
   if (wants_to_quit_) leave();
   return !wants_to_quit_;
+}
+
+// Whoever has said nothing of what he wants to play is shown what there is.
+void Host::welcome() {
+  if (demo_ || session_->connection() != nullptr || wants_to_quit_) return;
+  attract(demos_to_attract(*data_));
+  menu_->open();
 }
 
 void Host::leave() {
@@ -136,7 +150,7 @@ void Host::take_event(const platform::InputEvent& event) {
 bool Host::take_by_console_or_menu(const platform::InputEvent& event) {
   bool taken = console_ui_.handle(event);
   if (!taken) taken = menu_->handle(event);
-  if (!taken && demo_) taken = demo_controls_.handle(event);
+  if (!taken && demo_ && !is_attracting()) taken = demo_controls_.handle(event);
   for (const std::string& line : console_ui_.take_commands()) console_.append(line);
   for (const std::string& line : menu_->take_commands()) console_.append(line);
   return taken;
@@ -155,13 +169,15 @@ void Host::take_size(const platform::WindowChanged& changed) {
 
 void Host::take_key(const platform::KeyChange& key) {
   if (key.repeated) return;
+  const std::string& commands = bindings_.commands(key.key);
   const bool opens_menu = key.key == platform::Key::kEscape ||
-                          (key.key == platform::Key::kPadStart && bindings_.commands(key.key).empty());
+                          (key.key == platform::Key::kPadStart && commands.empty()) ||
+                          (is_attracting() && !runs_while_attracting(commands));
   if (key.down && opens_menu) return toggle_menu();
   if (!key.down)
     console_.append(held_.release(key.key));
   else
-    console_.append(held_.press(key.key, bindings_.commands(key.key)));
+    console_.append(held_.press(key.key, commands));
   // At once, so that what happens in one frame keeps its order and its times.
   console_.run();
 }

@@ -53,6 +53,9 @@ struct TimedDemo {
   int frames = 0;
 };
 
+// What a game shows while nobody plays: `startdemos` of its quake.rc, or else its demo1 to demo3.
+std::vector<std::string> demos_to_attract(const GameData& data);
+
 class Host {
  public:
   // Fails where the game folders or the window cannot be used.
@@ -83,6 +86,8 @@ class Host {
   // Recordings: watched, and measured by drawing every update as fast as can be.
   base::Status play_demo(std::string_view name);
   base::Status time_demo(std::string_view name);
+  // Shows them behind the menus, one after another, until something else begins; any key opens the menu.
+  void attract(std::vector<std::string> demos);
   void stop_demo();
   client::DemoSession* demo() { return demo_ ? &*demo_ : nullptr; }
   base::Status seek_demo(double time_s);
@@ -114,6 +119,7 @@ class Host {
   void take_up_data();
   base::Status configure();
   base::Status change_games(std::vector<std::string> games);
+  void welcome();
   void leave();
   base::Status stop_recording_if_any();
   void keep_picture(const render::FrameBuffer& frame);
@@ -133,7 +139,10 @@ class Host {
   void send_moves(const client::InputSettings& settings);
   void read_presentation_settings();
   base::Status make_scene();
+  base::Status open_demo(std::string_view name);
   base::Status show_demo();
+  void attract_next();
+  bool is_attracting() const { return !attracting_.empty(); }
   base::Status play_neighbour(int recordings);
   void make_sound();
   void rumble(const client::Events& events);
@@ -169,6 +178,7 @@ class Host {
   std::string demo_name_;
   client::DemoControls demo_controls_;
   std::optional<TimedDemo> timed_;
+  std::vector<std::string> attracting_;  // the next one first; empty: no such thing is going on
   std::optional<std::vector<std::string>> wanted_games_;
   std::string recording_name_;  // empty: none is being made
   std::string picture_wanted_;  // of the saved game of this name; empty: none
@@ -197,8 +207,9 @@ class Host {
   } speed_;
   std::string speed_text_, latency_text_;
   bool has_focus_ = true, takes_text_ = false, was_playing_ = false;
-  bool is_shown_ = true;  // what was drawn last
-  double saved_s_ = 0;    // when the game was last saved, or begun
+  bool is_shown_ = true;    // what was drawn last
+  double saved_s_ = 0;      // when the game was last saved, or begun
+  bool has_begun_ = false;  // the first commands were run
   bool wants_to_quit_ = false;
 };
 

@@ -151,6 +151,11 @@ void add_demo_commands(Host& io_host) {
   add_named("record", "record NAME records what is seen, until `stop`.", &Host::record);
   add("stop", "Ends the recording that is being made.",
       [](Host& host, Arguments) { print_error(host, host.stop_recording()); });
+  add("startdemos", "startdemos NAME... shows recordings behind the menus, one after another, for ever.",
+      [](Host& host, Arguments arguments) {
+        if (arguments.size() < 2) return host.print("startdemos NAME...");
+        host.attract({arguments.begin() + 1, arguments.end()});
+      });
   add("stopdemo", "Leaves the recording that is playing.", [](Host& host, Arguments) { host.stop_demo(); });
   add("demo_pause", "Stops a recording, or lets it go on.", [](Host& host, Arguments arguments) {
     if (client::DemoSession* const demo = playing_demo(host, arguments)) demo->pause(!demo->is_paused());

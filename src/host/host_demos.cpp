@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
+#include "command/text.h"
+#include "host/configuration.h"
 #include "host/host.h"
 #include "vfs/disk.h"
 
@@ -30,6 +33,13 @@ base::Result<base::ByteVector> read_demo(const GameData& data, const std::string
 }  // namespace
 
 base::Status Host::play_demo(std::string_view name) {
+  TRY_STATUS(open_demo(name));
+  console_ui_.close();
+  menu_->close();
+  return base::Ok{};
+}
+
+base::Status Host::open_demo(std::string_view name) {
   const std::string file = with_suffix(name);
   TRY(base::ByteVector bytes, read_demo(*data_, file));
   disconnect();
@@ -39,9 +49,41 @@ base::Status Host::play_demo(std::string_view name) {
   });
   demo_name_ = file;
   demo_controls_ = {};
-  console_ui_.close();
-  menu_->close();
   return base::Ok{};
+}
+
+std::vector<std::string> demos_to_attract(const GameData& data) {
+  constexpr std::string_view kCommand = "startdemos";
+  if (const base::Result<std::string> text = read_commands(data, "quake.rc"); text.ok()) {
+    std::istringstream lines(*text);
+    for (std::string line; std::getline(lines, line);)
+      if (std::vector<std::string> words = command::split_words(line);
+          words.size() > 1 && words.front() == kCommand)
+        return {words.begin() + 1, words.end()};
+  }
+  std::vector<std::string> names;
+  for (const char* const name : {"demo1", "demo2", "demo3"})
+    if (data.library.files().contains(with_suffix(name))) names.emplace_back(name);
+  return names;
+}
+
+void Host::attract(std::vector<std::string> demos) {
+  attracting_ = std::move(demos);
+  attract_next();
+}
+
+// Those that cannot be shown are tried once each.
+void Host::attract_next() {
+  std::vector<std::string> demos = std::move(attracting_);
+  for (std::size_t tried = 0; tried < demos.size(); ++tried) {
+    std::rotate(demos.begin(), demos.begin() + 1, demos.end());
+    const base::Status opened = open_demo(demos.back());
+    if (opened.ok()) {
+      attracting_ = std::move(demos);
+      return;
+    }
+    print(opened.error().message());
+  }
 }
 
 base::Status Host::time_demo(std::string_view name) {
@@ -53,6 +95,7 @@ base::Status Host::time_demo(std::string_view name) {
 void Host::stop_demo() {
   demo_.reset();
   timed_.reset();
+  attracting_.clear();
 }
 
 // Lets it go on by this frame's time, or while it is measured by an update.
@@ -60,7 +103,7 @@ base::Status Host::show_demo() {
   data_->presentation.follow(nullptr);  // a recording's player goes where it says
   read_presentation_settings();
   const client::InputSettings input = variables_.input();
-  const double passed_s = is_in_game() ? std::min(times_.frame_s, kLongestStep_s) : 0;
+  const double passed_s = is_in_game() || is_attracting() ? std::min(times_.frame_s, kLongestStep_s) : 0;
   base::Result<bool> goes_on =
       timed_ ? demo_->step(1, presentation_settings_)
              : demo_controls_.advance(passed_s, presentation_settings_,
@@ -76,6 +119,10 @@ base::Status Host::show_demo() {
     const double seconds = services_.window.now_s() - timed_->began_s;
     print(fmt::format("{} frames {:.1f} seconds {:.1f} fps", timed_->frames, seconds,
                       timed_->frames / seconds));
+  }
+  if (is_attracting()) {
+    attract_next();
+    return base::Ok{};
   }
   stop_demo();
   open_menu(client::MenuPage::kMain);

@@ -44,7 +44,7 @@ base::Status Host::configure() {
   if (const base::Status applied = services_.window.apply(window_settings_); !applied.ok())
     print(applied.error().message());
   for (const std::string& line : options_.commands) console_.append(line);
-  if (options_.commands.empty()) menu_->open();
+  has_begun_ = false;
   return base::Ok{};
 }
 

@@ -365,6 +365,18 @@ TEST(Menu, TextsHoldWhatCanBeShown) {
   EXPECT_EQ(hand.variables().find("name")->text, "player" + std::string(194, 'x'));
 }
 
+TEST(Menu, WritesNamesByGamepad) {
+  MenuByHand hand;
+  hand.menu().open(MenuPage::kPlayer);
+  ASSERT_TRUE(hand.choose("Name", Device::kGamepad));
+  for (int i = 0; i < 6; ++i) hand.press(Key::kPadX);  // "player"
+  for (const Key key : {Key::kPadRight, Key::kPadUp, Key::kPadRight, Key::kPadRightShoulder, Key::kPadDown,
+                        Key::kPadRight, Key::kPadDown, Key::kPadRight, Key::kPadLeft})
+    hand.press(key);
+  hand.press(Key::kPadA);
+  EXPECT_EQ(hand.variables().find("name")->text, "bhZ") << "b; a and eight on, one back; before a";
+}
+
 TEST(Menu, Hosts) {
   MenuByHand hand;
   hand.menu().open(MenuPage::kHost);

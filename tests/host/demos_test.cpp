@@ -116,5 +116,48 @@ TEST(HostDemos, ThatAreNotThereOrDamagedAreSaid) {
   EXPECT_EQ(played.host().demo(), nullptr);
 }
 
+TEST(HostDemos, AreShownToNobodyOneAfterAnother) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayedHost played;
+  played.folder().write("id1/first.dem", make_recording({}).bytes);
+  played.folder().write("id1/broken.dem", std::string_view("no recording"));
+  played.folder().write("id1/second.dem", make_recording({}).bytes);
+  played.folder().write("id1/quake.rc",
+                        std::string_view("exec default.cfg\nstartdemos first broken second\n"));
+  played.start_again();
+  played.run(1);
+  ASSERT_NE(played.host().demo(), nullptr) << "behind the menu";
+  const double length_s = played.host().demo()->end_s() - played.host().demo()->begin_s();
+  played.run(length_s);
+  ASSERT_NE(played.host().demo(), nullptr);
+  EXPECT_LT(second(played), 2) << "the second one";
+  EXPECT_TRUE(played.has_printed("broken.dem"));
+  played.run(length_s);
+  ASSERT_NE(played.host().demo(), nullptr) << "the first again";
+  tap(played, Key::kEscape);
+  const double before_s = second(played);
+  tap(played, Key::kRightArrow);
+  EXPECT_LT(second(played), before_s + 1) << "it is no control of recordings but opens the menu";
+  played.command("map small");
+  ASSERT_TRUE(played.run_until_playing());
+  EXPECT_EQ(played.host().demo(), nullptr);
+  played.run(1);
+  EXPECT_EQ(played.host().demo(), nullptr);
+}
+
+TEST(HostDemos, WithoutAListTheFirstThreeByNameAreShown) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayedHost played;
+  played.run(0.1);
+  EXPECT_EQ(played.host().demo(), nullptr);
+  played.folder().write("id1/demo2.dem", make_recording({}).bytes);
+  played.start_again();
+  played.run(0.1);
+  EXPECT_NE(played.host().demo(), nullptr);
+  played.command("stopdemo");
+  played.run(0.1);
+  EXPECT_EQ(played.host().demo(), nullptr);
+}
+
 }  // namespace
 }  // namespace temblor::test

@@ -39,6 +39,16 @@ void LineEdit::move(int chars) {
                                                static_cast<std::ptrdiff_t>(text_.size())));
 }
 
+void LineEdit::turn(int steps) {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789.:-_ ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  constexpr auto kCount = static_cast<int>(kLetters.size());
+  if (caret_ == 0) return insert(kLetters.substr(0, 1));
+  char& letter = text_[caret_ - 1];
+  const std::size_t at = kLetters.find(letter);
+  const int from = at == std::string_view::npos ? 0 : static_cast<int>(at) + steps;
+  letter = kLetters[static_cast<std::size_t>((from % kCount + kCount) % kCount)];
+}
+
 void TextRow::draw(const Canvas& canvas, const RowPlace& place) const {
   constexpr double kBlinkSeconds = 0.5;
   constexpr std::uint8_t kField = 15;  // a light one of the palette's first row, which is grey
@@ -92,6 +102,36 @@ bool TextRow::take(const platform::InputEvent& event, Outcome& out_outcome) {
   return change != nullptr && take_key(*change, out_outcome);
 }
 
+bool TextRow::take_pad(Key key) {
+  constexpr int kFarLetters = 8;
+  switch (key) {
+    case Key::kPadUp:
+      edit_->turn(1);
+      return true;
+    case Key::kPadDown:
+      edit_->turn(-1);
+      return true;
+    case Key::kPadLeftShoulder:
+      edit_->turn(-kFarLetters);
+      return true;
+    case Key::kPadRightShoulder:
+      edit_->turn(kFarLetters);
+      return true;
+    case Key::kPadRight:
+      if (edit_->caret() < edit_->text().size())
+        edit_->move(1);
+      else
+        edit_->insert("a");
+      return true;
+    case Key::kPadLeft:
+    case Key::kPadX:
+      edit_->erase_before();
+      return true;
+    default:
+      return false;
+  }
+}
+
 bool TextRow::take_key(const platform::KeyChange& change, Outcome& out_outcome) {
   if (change.key == Key::kCtrl) ctrl_ = change.down;
   if (!change.down) return false;
@@ -127,6 +167,7 @@ bool TextRow::take_key(const platform::KeyChange& change, Outcome& out_outcome) 
     default:
       break;
   }
+  if (take_pad(change.key)) return true;
   if (leads_away(change.key)) {
     stop_waiting();
     return false;

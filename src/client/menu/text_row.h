@@ -24,6 +24,9 @@ class LineEdit {
   void erase_before();
   void erase_behind();
   void move(int chars);
+  // The character before the caret becomes the next of those that names and addresses are made of; where
+  // there is none, the first one is inserted.
+  void turn(int steps);
   void go_to_begin() { caret_ = 0; }
   void go_to_end() { caret_ = text_.size(); }
 
@@ -32,7 +35,8 @@ class LineEdit {
   std::size_t caret_;
 };
 
-// Enter begins to edit and takes what was written; Escape leaves it as it was.
+// Enter begins to edit and takes what was written; Escape leaves it as it was. On a gamepad up and down turn
+// the letter at the caret (the shoulders by eight), right adds one, left and X take one away.
 class TextRow : public Row {
  public:
   struct Parts {
@@ -57,6 +61,7 @@ class TextRow : public Row {
 
  private:
   bool take_key(const platform::KeyChange& change, Outcome& out_outcome);
+  bool take_pad(platform::Key key);
   Outcome finish();
 
   std::string label_;
