@@ -15,8 +15,8 @@ using Clock = std::chrono::steady_clock;
 // Each time the searches begin anew, which takes seconds on the largest levels.
 constexpr std::chrono::seconds kSaveEvery{120};
 
-VisibilityState resumed(const Build& build) {
-  VisibilityState begun = begin_visibility(build.portals);
+VisibilityState resumed(const Build& build, const SearchablePortals& portals) {
+  VisibilityState begun = begin_visibility(portals);
   if (build.visibility_state.empty()) return begun;
   base::Result<VisibilityState> saved = read_visibility_state(build.visibility_state, begun);
   // Of other portals: the brushes were changed since.
@@ -31,7 +31,7 @@ base::Status set_visibility(const BitMatrix& visible, VisibilityKind kind, Build
 }
 
 // Stops now and then to save what is done.
-base::Status work_out(const PortalSet& portals, base::Jobs& jobs, CompileWatcher& watcher,
+base::Status work_out(const SearchablePortals& portals, base::Jobs& jobs, CompileWatcher& watcher,
                       VisibilityState& io_state) {
   for (;;) {
     const Clock::time_point start = Clock::now();
@@ -50,10 +50,10 @@ base::Status work_out(const PortalSet& portals, base::Jobs& jobs, CompileWatcher
 
 base::Status make_visibility(VisibilityKind kind, base::Jobs& jobs, CompileWatcher& watcher,
                              Build& io_build) {
-  const PortalSet& portals = io_build.portals;
+  const SearchablePortals portals(io_build.portals);
   if (kind == VisibilityKind::kRough)
     return set_visibility(roughly_visible_clusters(portals, jobs), kind, io_build);
-  VisibilityState state = resumed(io_build);
+  VisibilityState state = resumed(io_build, portals);
   const base::Status end = work_out(portals, jobs, watcher, state);
   io_build.visibility_state = write_visibility_state(state);  // also if light is stopped after it
   TRY_STATUS(end);
@@ -62,15 +62,17 @@ base::Status make_visibility(VisibilityKind kind, base::Jobs& jobs, CompileWatch
 
 VisibilityShard make_visibility_shard(const Build& build, WorkShare share, base::Jobs& jobs,
                                       Progress progress) {
-  VisibilityState state = resumed(build);
-  const VisibilityEnd end = continue_visibility(build.portals, jobs, progress, state, share);
+  const SearchablePortals portals(build.portals);
+  VisibilityState state = resumed(build, portals);
+  const VisibilityEnd end = continue_visibility(portals, jobs, progress, state, share);
   return {write_visibility_state(state), end};
 }
 
 base::Result<MergedVisibility> merge_visibility_shards(std::span<const base::Bytes> shards, Build& io_build) {
   if (shards.empty()) return base::error(base::ErrorCode::kUsage, "no shards of visibility to merge");
-  VisibilityState state = resumed(io_build);
-  const VisibilityState begun = begin_visibility(io_build.portals);
+  const SearchablePortals portals(io_build.portals);
+  VisibilityState state = resumed(io_build, portals);
+  const VisibilityState begun = begin_visibility(portals);
   for (const base::Bytes bytes : shards) {
     TRY(const VisibilityState shard, read_visibility_state(bytes, begun));
     TRY_STATUS(merge_visibility_state(shard, state));
@@ -80,7 +82,7 @@ base::Result<MergedVisibility> merge_visibility_shards(std::span<const base::Byt
   if (merged.finished_portals < merged.portals) {
     io_build.visibility_state = write_visibility_state(state);
   } else {
-    TRY_STATUS(set_visibility(visible_clusters(io_build.portals, state), VisibilityKind::kFull, io_build));
+    TRY_STATUS(set_visibility(visible_clusters(portals, state), VisibilityKind::kFull, io_build));
     io_build.visibility_state.clear();
   }
   return merged;

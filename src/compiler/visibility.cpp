@@ -124,20 +124,26 @@ class FlowPool {
 void run_portals(std::span<const std::uint32_t> portals, const WorkOrder& order,
                  const vis::FlowBounds& bounds, base::Jobs& jobs, FlowPool& io_pool, Meter& io_meter,
                  VisibilityState& io_state) {
-  jobs.parallel_for(portals.size(), [&](std::size_t i) {
-    if (io_meter.stopped()) return;
-    // The longest first: then no thread is left with one of them at the end of the round.
-    const std::uint32_t portal = portals[portals.size() - 1 - i];
+  // Several at a time, where they are many and short: threads meet less often.
+  constexpr std::size_t kBatches = 256;
+  const std::size_t batch_size = std::max<std::size_t>(1, portals.size() / kBatches);
+  jobs.parallel_for((portals.size() + batch_size - 1) / batch_size, [&](std::size_t batch) {
     auto flow = io_pool.take();
-    const auto row = io_state.seen.row(portal);
-    const bool finished = flow->run(portal, bounds, io_meter.stopped(), row);
-    io_pool.give_back(std::move(flow));
-    if (!finished) {
-      std::ranges::fill(row, BitMatrix::Word{0});
-      return;
+    std::uint64_t done = 0;
+    const std::size_t end = std::min((batch + 1) * batch_size, portals.size());
+    for (std::size_t i = batch * batch_size; i < end && !io_meter.stopped(); ++i) {
+      // The longest first: then no thread is left with one of them at the end of the round.
+      const std::uint32_t portal = portals[portals.size() - 1 - i];
+      const auto row = io_state.seen.row(portal);
+      if (flow->run(portal, bounds, io_meter.stopped(), row)) {
+        io_state.finished[portal] = 1;
+        done += order.cost_of_portal[portal];
+      } else {
+        std::ranges::fill(row, BitMatrix::Word{0});
+      }
     }
-    io_state.finished[portal] = 1;
-    io_meter.add(order.cost_of_portal[portal]);
+    io_pool.give_back(std::move(flow));
+    io_meter.add(done);
   });
 }
 
@@ -167,24 +173,32 @@ BitMatrix join_portals(const PortalGraph& graph, const BitMatrix& seen_by_portal
   return only_mutual(joined);
 }
 
-bool matches(const VisibilityState& state, const PortalSet& portals, const PortalGraph& graph) {
-  return state.fingerprint == fingerprint_of(portals) && state.finished.size() == graph.portals.size() &&
+bool matches(const VisibilityState& state, const SearchablePortals& portals) {
+  const PortalGraph& graph = portals.graph();
+  return state.fingerprint == portals.fingerprint() && state.finished.size() == graph.portals.size() &&
          state.seen.rows() == graph.portals.size() && state.seen.columns() == graph.cluster_count;
 }
 
 }  // namespace
 
-VisibilityState begin_visibility(const PortalSet& portals) {
-  const PortalGraph graph = vis::make_portal_graph(portals);
-  return {fingerprint_of(portals), BitMatrix(graph.portals.size(), graph.cluster_count),
+SearchablePortals::SearchablePortals(const PortalSet& portals)
+    : graph_(std::make_unique<PortalGraph>(vis::make_portal_graph(portals))),
+      fingerprint_(fingerprint_of(portals)) {}
+SearchablePortals::~SearchablePortals() = default;
+SearchablePortals::SearchablePortals(SearchablePortals&&) noexcept = default;
+SearchablePortals& SearchablePortals::operator=(SearchablePortals&&) noexcept = default;
+
+VisibilityState begin_visibility(const SearchablePortals& portals) {
+  const PortalGraph& graph = portals.graph();
+  return {portals.fingerprint(), BitMatrix(graph.portals.size(), graph.cluster_count),
           std::vector<std::uint8_t>(graph.portals.size(), 0)};
 }
 
-VisibilityEnd continue_visibility(const PortalSet& portals, base::Jobs& jobs, Progress progress,
+VisibilityEnd continue_visibility(const SearchablePortals& portals, base::Jobs& jobs, Progress progress,
                                   VisibilityState& io_state, WorkShare share) {
   CHECK(share.index < share.count);
-  const PortalGraph graph = vis::make_portal_graph(portals);
-  CHECK(matches(io_state, portals, graph));
+  const PortalGraph& graph = portals.graph();
+  CHECK(matches(io_state, portals));
   const BitMatrix base_visibility = vis::find_base_visibility(graph, jobs);
   const WorkOrder order = order_of_work(base_visibility);
 
@@ -211,15 +225,15 @@ VisibilityEnd continue_visibility(const PortalSet& portals, base::Jobs& jobs, Pr
   return VisibilityEnd::kFinished;
 }
 
-BitMatrix visible_clusters(const PortalSet& portals, const VisibilityState& state) {
-  const PortalGraph graph = vis::make_portal_graph(portals);
-  CHECK(matches(state, portals, graph));
+BitMatrix visible_clusters(const SearchablePortals& portals, const VisibilityState& state) {
+  const PortalGraph& graph = portals.graph();
+  CHECK(matches(state, portals));
   CHECK(std::ranges::find(state.finished, 0) == state.finished.end());
   return join_portals(graph, state.seen);
 }
 
-BitMatrix roughly_visible_clusters(const PortalSet& portals, base::Jobs& jobs) {
-  const PortalGraph graph = vis::make_portal_graph(portals);
+BitMatrix roughly_visible_clusters(const SearchablePortals& portals, base::Jobs& jobs) {
+  const PortalGraph& graph = portals.graph();
   return join_portals(graph, vis::find_base_visibility(graph, jobs));
 }
 
