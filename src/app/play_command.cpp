@@ -48,7 +48,8 @@ host::Services services_for(platform::Window& window, bool silent) {
           .look_up = [](std::string_view host,
                         std::uint16_t default_port) { return platform::posix::look_up(host, default_port); },
           .open_audio = silent ? client::OpenAudioDevice() : std::move(open_audio),
-          .write_file = replace_file,
+          .write_file = [](const std::filesystem::path& file,
+                           base::Bytes bytes) { return replace_file(file, bytes, Remedy::kNone); },
           .print_line = print_line,
           .seed = any_seed(),
           .secret = any_secret()};

@@ -154,16 +154,18 @@ base::Status run_serve(const ServeOptions& options, const CommonOptions& common,
   net::ServerEndpoint::Sockets sockets(1);
   TRY(sockets[0], open_socket(options));
   const std::uint16_t port = sockets[0]->local_address().port;
-  server::Server server({.library = library,
-                         .settings = settings,
-                         .sockets = std::move(sockets),
-                         .wire = wire_settings(),
-                         .max_clients = options.max_clients,
-                         .program_file = options.program,
-                         .write_folder = library.files().folders().back(),
-                         .write_file = replace_file,
-                         .print = print_text,
-                         .seed = any_seed()});
+  server::Server server(
+      {.library = library,
+       .settings = settings,
+       .sockets = std::move(sockets),
+       .wire = wire_settings(),
+       .max_clients = options.max_clients,
+       .program_file = options.program,
+       .write_folder = library.files().folders().back(),
+       .write_file = [](const std::filesystem::path& file,
+                        base::Bytes bytes) { return replace_file(file, bytes, Remedy::kNone); },
+       .print = print_text,
+       .seed = any_seed()});
   server.console().set_loader(
       [&](std::string_view name) { return read_configuration(library.files(), name); });
   if (library.files().contains(kConfiguration)) {

@@ -13,8 +13,10 @@
 namespace temblor::app {
 namespace {
 
-base::Error cannot_write(const std::filesystem::path& path, const std::string& reason) {
-  return {base::ErrorCode::kIo, "cannot be written (" + reason + "): choose another place with -o",
+base::Error cannot_write(const std::filesystem::path& path, const std::string& reason, Remedy remedy) {
+  return {base::ErrorCode::kIo,
+          fmt::format("cannot be written ({}){}", reason,
+                      remedy == Remedy::kOtherOutput ? ": choose another place with -o" : ""),
           path.string()};
 }
 
@@ -37,8 +39,10 @@ std::filesystem::path place_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-base::Result<FileChange> FileChange::replacement(const std::filesystem::path& path, base::Bytes bytes) {
+base::Result<FileChange> FileChange::replacement(const std::filesystem::path& path, base::Bytes bytes,
+                                                 Remedy remedy) {
   FileChange change;
+  change.remedy_ = remedy;
   change.path_ = path;
   std::error_code failure;
   // A device or a pipe holds nothing to be kept, and a file must not take its place.
@@ -50,7 +54,7 @@ base::Result<FileChange> FileChange::replacement(const std::filesystem::path& pa
   // Two programs that write the same file at once must not write into each other's.
   change.beside_ = change.place_;
   change.beside_ += fmt::format(".{}.new", getpid());
-  if (const auto reason = write_bytes(change.beside_, bytes)) return cannot_write(path, *reason);
+  if (const auto reason = write_bytes(change.beside_, bytes)) return cannot_write(path, *reason, remedy);
   return change;
 }
 
@@ -67,6 +71,7 @@ FileChange::FileChange(FileChange&& other) noexcept {
 
 FileChange& FileChange::operator=(FileChange&& other) noexcept {
   path_.swap(other.path_);
+  std::swap(remedy_, other.remedy_);
   place_.swap(other.place_);
   beside_.swap(other.beside_);
   device_bytes_.swap(other.device_bytes_);
@@ -82,19 +87,19 @@ base::Status FileChange::put_in_place() {
   std::error_code failure;
   if (device_bytes_) {
     const auto reason = write_bytes(path_, *device_bytes_);
-    return reason ? base::Status(cannot_write(path_, *reason)) : base::Ok{};
+    return reason ? base::Status(cannot_write(path_, *reason, remedy_)) : base::Ok{};
   }
   if (beside_.empty())
     std::filesystem::remove(place_, failure);
   else
     std::filesystem::rename(beside_, place_, failure);
-  if (failure) return cannot_write(path_, failure.message());
+  if (failure) return cannot_write(path_, failure.message(), remedy_);
   beside_.clear();
   return base::Ok{};
 }
 
-base::Status replace_file(const std::filesystem::path& path, base::Bytes bytes) {
-  TRY(FileChange change, FileChange::replacement(path, bytes));
+base::Status replace_file(const std::filesystem::path& path, base::Bytes bytes, Remedy remedy) {
+  TRY(FileChange change, FileChange::replacement(path, bytes, remedy));
   return change.put_in_place();
 }
 
