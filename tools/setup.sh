@@ -8,7 +8,7 @@ packages=(g++ make cmake ninja-build pkgconf
   libembree-dev libsdl2-dev libsndfile1-dev libsamplerate0-dev libgtest-dev libgmock-dev libbenchmark-dev fteqcc)
 # Of clang one version, so that every machine formats and warns alike. Without them `make test` skips what needs them.
 # DarkPlaces and quakestat are peers to play with, Xvfb the display of the first; iproute2 makes a network bad.
-checkers=(git ffmpeg parallel iproute2 fteqcc qstat darkplaces darkplaces-server xvfb xauth xdotool quakespasm
+checkers=(git ffmpeg parallel iproute2 fteqcc qstat darkplaces darkplaces-server xvfb xauth xdotool weston quakespasm
   clang-16 libclang-rt-16-dev clang-format-14 clang-tidy-14)
 
 missing_of() {

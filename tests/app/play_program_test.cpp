@@ -34,11 +34,11 @@ class Evening {
   }
   std::filesystem::path game() const { return folder_.path() / "evening"; }
 
-  // In `script`, PLAY stands for the program. What it and the script print.
+  // In `script`, PLAY before its options stands for the program. What it and the script print.
   std::string run(std::string script) {
     const std::string play = "'" TEMBLOR_PROGRAM "' --basedir '" + folder_.path().string() +
                              "' --game evening play --nosound --duration 60";
-    script.replace(script.find("PLAY"), 4, play);
+    script.replace(script.find("PLAY --"), 4, play);
     folder_.write("script.sh", script);
     const std::string out = (folder_.path() / "out").string();
     // What libdbus, which SDL loads and lets go, does not give back is no fault of ours; leaks of the game
@@ -111,6 +111,31 @@ wait $game; echo "ended with $?"
   const Png bound = evening.picture("bound");
   EXPECT_EQ(bound.width, 800u);
   EXPECT_EQ(bound.height, 600u);
+}
+
+// SDL has no surface for a window there, and this machine no graphics hardware: its pictures take a third
+// way.
+TEST(PlayProgram, ShowsPicturesOnWayland) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_DISPLAY();
+  if (!is_installed("weston")) GTEST_SKIP() << "a Wayland display (weston) is not installed";
+  Evening evening(data);
+  const std::string out = evening.run(R"(
+export XDG_RUNTIME_DIR="$PWD/run"; mkdir -m 700 run
+weston --backend=x11-backend.so --use-pixman --width=900 --height=700 --socket=evening >weston.log 2>&1 & display=$!
+for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do [ -S run/evening ] && break; sleep 0.5; done
+[ -S run/evening ] || { echo "weston does not start"; cat weston.log; exit; }
+export WAYLAND_DISPLAY=evening SDL_VIDEODRIVER=wayland
+PLAY --map start --size 640x480 & game=$!
+sleep 6
+kill -TERM $game
+wait $game; echo "ended with $?"
+kill $display; wait $display
+)");
+  if (out.find("weston does not start") != std::string::npos) GTEST_SKIP() << out;
+  EXPECT_THAT(out, HasSubstr("player joins"));
+  EXPECT_THAT(out, HasSubstr("ended with 0"));
+  EXPECT_THAT(out, Not(HasSubstr("the window")));
 }
 
 TEST(PlayProgram, WithoutADisplayItSaysSo) {

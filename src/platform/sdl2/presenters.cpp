@@ -129,6 +129,7 @@ bool is_software(SDL_Renderer* renderer) {
 std::unique_ptr<PicturePresenter> make_surface_presenter(SDL_Window* window) {
   // Otherwise SDL may put the surface on a texture of a renderer in software.
   SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
+  if (SDL_GetWindowSurface(window) == nullptr) return nullptr;
   return std::make_unique<SurfacePresenter>(window);
 }
 

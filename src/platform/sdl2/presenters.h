@@ -18,7 +18,7 @@ class PicturePresenter {
   virtual std::string describe() const = 0;
 };
 
-// Through the window's own surface.
+// Through the window's own surface; null where the display gives none, as Wayland by SDL 2.
 std::unique_ptr<PicturePresenter> make_surface_presenter(SDL_Window* window);
 // Through the display's renderer; null where it is missing, or is software and `hardware_only`.
 std::unique_ptr<PicturePresenter> make_renderer_presenter(SDL_Window* window, bool hardware_only);

@@ -222,6 +222,8 @@ base::Result<std::unique_ptr<Window>> open_window(const std::string& title, cons
   if (presenter != Presenter::kSharedMemory)
     pictures = make_renderer_presenter(window.get(), presenter == Presenter::kAuto);
   if (!pictures) pictures = make_surface_presenter(window.get());
+  if (!pictures) pictures = make_renderer_presenter(window.get(), false);
+  if (!pictures) return sdl_error("the window takes no pictures");
   auto opened = std::make_unique<SdlWindow>(std::move(subsystem), std::move(window), std::move(pictures));
   TRY_STATUS(opened->apply(settings));
   return std::unique_ptr<Window>(std::move(opened));
