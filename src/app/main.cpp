@@ -4,6 +4,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/art_command.h"
 #include "app/bench_command.h"
 #include "app/command_line.h"
 #include "app/compile_command.h"
@@ -37,12 +38,14 @@ struct Commands {
   CompileCommandOptions compile;
   PlayOptions play;
   ServeOptions serve;
+  ArtOptions art;
   CLI::App* render_command = nullptr;
   CLI::App* bench_command = nullptr;
   CLI::App* inspect_command = nullptr;
   CLI::App* compile_command = nullptr;
   CLI::App* play_command = nullptr;
   CLI::App* serve_command = nullptr;
+  CLI::App* art_command = nullptr;
   CLI::App* settings_command = nullptr;
 };
 
@@ -58,6 +61,7 @@ void describe_command_line(CLI::App& program, Commands& io_commands) {
   io_commands.compile_command = add_compile_command(program, io_commands.compile);
   io_commands.play_command = add_play_command(program, io_commands.play);
   io_commands.serve_command = add_serve_command(program, io_commands.serve);
+  io_commands.art_command = add_art_command(program, io_commands.art);
   io_commands.settings_command = add_settings_command(program);
 }
 
@@ -77,6 +81,7 @@ base::Status run(const Commands& commands) {
   if (commands.compile_command->parsed()) return run_compile(commands.compile, commands.common.folders);
   if (commands.play_command->parsed()) return run_play(commands.play, commands.common, settings);
   if (commands.serve_command->parsed()) return run_serve(commands.serve, commands.common, settings.server());
+  if (commands.art_command->parsed()) return run_art(commands.art);
   run_settings(variables);
   return base::Ok{};
 }

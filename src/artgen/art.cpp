@@ -1,0 +1,90 @@
+#include "artgen/art.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "artgen/palette.h"
+#include "base/text.h"
+#include "formats/palette.h"
+#include "formats/wad.h"
+
+namespace temblor::artgen {
+namespace {
+
+struct Thing {
+  const RecipeFile* file = nullptr;
+  const RecipeLine* line = nullptr;
+};
+
+// Ordered, so that files do not depend on the recipes' order.
+using Lumps = std::map<std::string, ArtPart>;
+using Files = std::map<std::string, Lumps>;
+
+base::Result<std::vector<ArtPart>> make_thing(const RecipeLine& thing) {
+  for (const ArtMaker& maker : art_makers())
+    if (maker.word == thing.word) return maker.make(thing);
+  return recipe_error(thing, "there is no such kind of things");
+}
+
+base::Status add_parts(const RecipeLine& thing, std::vector<ArtPart> parts, Files& io_files) {
+  for (ArtPart& part : parts) {
+    Lumps& lumps = io_files[part.path];
+    const bool mixed = !lumps.empty() && lumps.begin()->first.empty() != part.lump.empty();
+    const std::string lump = base::to_lower(part.lump);
+    if (mixed || lumps.contains(lump))
+      return recipe_error(thing, fmt::format("another thing is {} already",
+                                             part.lump.empty() ? part.path : part.path + ": " + part.lump));
+    lumps.emplace(lump, std::move(part));
+  }
+  return base::Ok{};
+}
+
+base::Result<base::ByteVector> bytes_of(Lumps lumps) {
+  if (lumps.begin()->first.empty()) return std::move(lumps.begin()->second.bytes);
+  std::vector<formats::WadLump> wad;
+  for (const auto& [name, part] : lumps) wad.push_back({part.lump, part.lump_type, part.bytes});
+  return formats::write_wad(wad);
+}
+
+std::vector<ArtPart> palette_parts() {
+  const formats::Palette palette = make_palette();
+  std::vector<ArtPart> parts;
+  parts.push_back({"gfx/palette.lmp", formats::write_palette(palette)});
+  parts.push_back({"gfx/colormap.lmp", formats::write_colormap(formats::make_colormap(palette))});
+  return parts;
+}
+
+}  // namespace
+
+std::span<const ArtMaker> art_makers() {
+  return {};
+}
+
+base::Result<std::vector<ArtFile>> make_art(std::span<const RecipeFile> recipes, base::Jobs& jobs) {
+  std::vector<Thing> things;
+  for (const RecipeFile& recipe : recipes)
+    for (const RecipeLine& line : recipe.things) things.push_back({&recipe, &line});
+
+  std::vector<std::optional<base::Result<std::vector<ArtPart>>>> made(things.size());
+  jobs.parallel_for(things.size(), [&](std::size_t i) { made[i] = make_thing(*things[i].line); });
+
+  Files files;
+  TRY_STATUS(add_parts({}, palette_parts(), files));
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const std::string& recipe = things[i].file->name;
+    TRY(std::vector<ArtPart> parts, std::move(*made[i]).with_file(recipe));
+    TRY_STATUS(add_parts(*things[i].line, std::move(parts), files).with_file(recipe));
+  }
+  std::vector<ArtFile> art;
+  for (auto& [path, lumps] : files) {
+    TRY(base::ByteVector bytes, bytes_of(std::move(lumps)).with_file(path));
+    art.push_back({path, std::move(bytes)});
+  }
+  return art;
+}
+
+}  // namespace temblor::artgen

@@ -1,0 +1,48 @@
+// The shipped game's files, made from recipes: the same bytes every time.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "artgen/recipe.h"
+#include "base/bytes.h"
+#include "base/parallel_for.h"
+#include "base/result.h"
+
+namespace temblor::artgen {
+
+// What a thing becomes: a file of the game folder, or a lump of a WAD there.
+struct ArtPart {
+  std::string path;  // "progs/knight.mdl", "gfx.wad"
+  base::ByteVector bytes;
+  std::string lump = {};       // empty: the file itself
+  std::uint8_t lump_type = 0;  // as in formats::WadLump
+};
+
+// What makes one kind of things, those whose line begins with `word`. Errors begin with the line
+// (recipe_error).
+struct ArtMaker {
+  std::string_view word;
+  base::Result<std::vector<ArtPart>> (*make)(const RecipeLine& thing);
+};
+std::span<const ArtMaker> art_makers();
+
+struct RecipeFile {
+  std::string name;  // for messages
+  std::vector<RecipeLine> things;
+};
+
+struct ArtFile {
+  std::string path;
+  base::ByteVector bytes;
+};
+
+// Palette, colormap and what the recipes' things become, in the order of their paths. A kind of things that
+// is not known, and two things that want to be the same file or lump, are errors, which name the recipe's
+// file.
+base::Result<std::vector<ArtFile>> make_art(std::span<const RecipeFile> recipes, base::Jobs& jobs);
+
+}  // namespace temblor::artgen
