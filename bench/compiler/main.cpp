@@ -256,6 +256,12 @@ int main(int count, char** arguments) {
   const std::span wanted(arguments + 2, static_cast<std::size_t>(count - 2));
   for (const temblor::bench::Goals& goals : temblor::bench::kGoals)
     if (wanted.empty() || std::ranges::count(wanted, std::string_view(goals.map)) > 0) maps.push_back(goals);
+  if (maps.size() < wanted.size()) {
+    fmt::print(stderr, "compile_bench: there are goals only for");
+    for (const temblor::bench::Goals& goals : temblor::bench::kGoals) fmt::print(stderr, " {}", goals.map);
+    fmt::print(stderr, "\n");
+    return 1;
+  }
   // Programs first: to the system a child's peak of memory begins with what its parent has.
   std::vector<temblor::bench::ProgramCosts> costs;
   for (const temblor::bench::Goals& goals : maps)

@@ -3,14 +3,16 @@
 // of 60 Hz. And what it is worth that the game's tick goes on beside the drawing: frames of either kind in
 // turn.
 //
-// Usage: host_bench PROGS, with TEMBLOR_DATA naming the base folder.
+// Usage: host_bench PROGS [MAP]..., with TEMBLOR_DATA naming the base folder.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdlib>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/served/crowd.h"
@@ -122,7 +124,7 @@ void measure_two_halves(host::Host& io_host, platform::headless::HeadlessWindow&
       fmt::format("lq_e1m2, {} monsters after the player", bench::monsters_of(game.world()).size()), now_s);
 }
 
-int run(const char* data, const char* progs) {
+int run(const char* data, const char* progs, std::span<const char* const> maps) {
   platform::headless::HeadlessWindow window({.size = {1920, 1080}});
   command::Variables variables;
   const host::HostVariables settings(variables);
@@ -140,7 +142,7 @@ int run(const char* data, const char* progs) {
   host.frame();
   fmt::print("| what | measured | goal |\n| --- | --- | --- |\n");
   print_row("program start to first frame", fmt::format("{:.2f} s", window.now_s() - began_s), "under 1 s");
-  for (const char* const map : {"lq_e1m2", "lq_e0m1", "start"}) {
+  for (const char* const map : maps) {
     host.console().append("disconnect");
     host.frame();
     host.console().append(fmt::format("map {}", map));
@@ -159,9 +161,11 @@ int run(const char* data, const char* progs) {
 
 int main(int argument_count, char** arguments) {
   const char* const data = std::getenv("TEMBLOR_DATA");
-  if (argument_count != 2 || data == nullptr) {
-    fmt::print(stderr, "usage: TEMBLOR_DATA=DIR host_bench PROGS\n");
+  if (argument_count < 2 || data == nullptr) {
+    fmt::print(stderr, "usage: TEMBLOR_DATA=DIR host_bench PROGS [MAP]...\n");
     return 2;
   }
-  return temblor::run(data, arguments[1]);
+  std::vector<const char*> maps(arguments + 2, arguments + argument_count);
+  if (maps.empty()) maps = {"lq_e1m2", "lq_e0m1", "start"};
+  return temblor::run(data, arguments[1], maps);
 }

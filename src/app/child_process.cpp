@@ -136,7 +136,9 @@ base::Status ChildProcess::finish() {
     if (errno != EINTR) return system_error(name_.c_str(), errno);
   process_ = -1;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return base::Ok{};
-  const std::string message = last_message();
+  std::string message = last_message();
+  // Ours begins its lines with its name, as it stands here anyway.
+  if (const std::string own = name_ + ": "; message.starts_with(own)) message.erase(0, own.size());
   return base::error(ErrorCode::kIo, "{} failed: {}", name_,
                      message.empty() ? "it does not say why" : message);
 }

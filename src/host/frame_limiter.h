@@ -6,16 +6,18 @@ namespace temblor::host {
 // Waits so that frames come at an even rate. Input is read after the wait, so that it does not grow old.
 class FrameLimiter {
  public:
-  // Returns when the next frame is due. `now_s` tells the time of the same steady clock at any moment.
+  // Returns when the next frame is due, and whether there was time to wait. `now_s` tells the time of the same
+  // steady clock at any moment.
   template <typename Clock>
-  void wait(double frames_per_second, const Clock& now_s) {
+  bool wait(double frames_per_second, const Clock& now_s) {
     const double now = now_s();
-    if (frames_per_second <= 0) return;
+    if (frames_per_second <= 0) return false;
     const double frame_s = 1 / frames_per_second;
     due_s_ += frame_s;
     // After a hitch frames are not made good.
     if (due_s_ < now || due_s_ > now + 2 * frame_s) due_s_ = now;
     sleep_until(due_s_, now);
+    return due_s_ > now;
   }
 
  private:

@@ -72,7 +72,7 @@ bool Host::frame() {
                           : display_hz > 0               ? display_hz
                                                          : kUnknownRefreshRate_hz;
   // What is measured does not wait.
-  if (!timed_) limiter_.wait(limit_hz, [this] { return services_.window.now_s(); });
+  has_time_to_spare_ = !timed_ && limiter_.wait(limit_hz, [this] { return services_.window.now_s(); });
   const double before_s = std::exchange(now_s_, services_.window.now_s());
   times_.frame_s = now_s_ - before_s;
 

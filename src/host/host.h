@@ -207,9 +207,10 @@ class Host {
   } speed_;
   std::string speed_text_, latency_text_;
   bool has_focus_ = true, takes_text_ = false, was_playing_ = false;
-  bool is_shown_ = true;    // what was drawn last
-  double saved_s_ = 0;      // when the game was last saved, or begun
-  bool has_begun_ = false;  // the first commands were run
+  bool is_shown_ = true;            // what was drawn last
+  bool has_time_to_spare_ = false;  // the frame waited for its time
+  double saved_s_ = 0;              // when the game was last saved, or begun
+  bool has_begun_ = false;          // the first commands were run
   bool wants_to_quit_ = false;
 };
 

@@ -56,6 +56,16 @@ constexpr std::array kServerCommands = {
 constexpr std::array<std::string_view, 8> kMayBeStuffed = {
     "play", "playvol", "stopsound", "centerview", "bf", "cd", "music", "force_centerview"};
 
+// Whether a command was given what it takes, one name; else says so.
+bool has_one_name(Host& io_host, Arguments arguments, std::string_view help) {
+  if (arguments.size() == 2) return true;
+  io_host.console().print_error(
+      arguments.size() < 2
+          ? std::string(help)
+          : fmt::format("{} takes one name; quotes hold one with blanks together", arguments[0]));
+  return false;
+}
+
 void print_error(Host& io_host, const base::Status& status) {
   if (!status.ok()) io_host.console().print_error(status.error().message());
 }
@@ -139,7 +149,7 @@ void add_demo_commands(Host& io_host) {
   const auto add_named = [&](std::string_view name, std::string_view help,
                              base::Status (Host::*run)(std::string_view)) {
     add(name, help, [run, help](Host& host, Arguments arguments) {
-      if (arguments.size() != 2) return host.console().print_error(help);
+      if (!has_one_name(host, arguments, help)) return;
       print_error(host, (host.*run)(arguments[1]));
     });
   };
@@ -197,7 +207,7 @@ void add_game_commands(Host& io_host) {
   const auto add_named = [&](std::string_view name, std::string_view help,
                              base::Status (Host::*run)(std::string_view)) {
     io_host.console().add_command(name, help, [host = &io_host, run, help](Arguments arguments) {
-      if (arguments.size() != 2) return host->console().print_error(help);
+      if (!has_one_name(*host, arguments, help)) return;
       print_error(*host, (host->*run)(arguments[1]));
     });
   };

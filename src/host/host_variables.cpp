@@ -59,8 +59,10 @@ HostVariables::HostVariables(command::Variables& variables)
       variables.add_float("joy_rumble", 1, 0, 1, "How strongly the gamepad shakes when the player is hurt.");
   max_players_ = variables.add_int("maxplayers", 1, 1, 16, "Players in the next game that begins here.");
   port_ = variables.add_int("port", 26000, 0, 65535, "UDP port of games that others may join; 0: any.");
-  parallel_ = variables.add_bool("host_parallel", true,
-                                 "The game goes on beside the drawing of the picture, on another core.");
+  parallel_ = variables.add_bool(
+      "host_parallel", true,
+      "The game goes on beside the drawing of the picture, on another core, where frames leave "
+      "no time to wait.");
   show_speed_ = variables.add_bool("scr_showfps", false, "Shows frames a second.");
   show_latency_ =
       variables.add_bool("scr_showlatency", false, "Shows how long input takes to the presented frame.");

@@ -47,7 +47,10 @@ void Host::draw() {
   // them, are not drawn meanwhile.
   const DrawSettings drawing{variables_.render(), variables_.console(), variables_.shows_speed(),
                              variables_.shows_latency()};
-  const bool beside = variables_.is_parallel() && session_->server() != nullptr && is_in_game();
+  // Where a frame waits for its time the tick has it, too: the picture is shown sooner with all cores to
+  // itself.
+  const bool beside =
+      variables_.is_parallel() && !has_time_to_spare_ && session_->server() != nullptr && is_in_game();
   if (beside) worker_.begin(step);
   draw_view(drawing, frame);
   times_.drawing_s = services_.window.now_s() - began_s;
@@ -88,7 +91,8 @@ void Host::draw_over(const DrawSettings& settings, const render::FrameBuffer& fr
                                  .game_runs = has_view() || menu_is_open,
                                  .version = options_.version,
                                  .settings = settings.console};
-  if (demo_ && !timed_ && (demo_->is_paused() || demo_controls_.idle_s() < kBarShownFor_s))
+  if (demo_ && !timed_ && !is_attracting() &&
+      (demo_->is_paused() || demo_controls_.idle_s() < kBarShownFor_s))
     client::draw_demo_bar(*demo_, data_->presentation.pictures(), frame.width(), frame.height(), 0, overlay_);
   console_ui_.draw(view, frame.width(), frame.height(), overlay_);
   menu_->draw(frame.width(), frame.height(), now_s_, overlay_);

@@ -36,7 +36,7 @@ base::Status Screen::show(const formats::Palette& palette, const ScreenSettings&
   } else if (!settings.tone.is_neutral()) {
     apply_tone(table, jobs_, frame_.rgb());
   }
-  return io_window.present({shown_, {frame_.width(), frame_.height()}});
+  return io_window.present({shown_, {frame_.width(), frame_.height()}}, jobs_);
 }
 
 }  // namespace temblor::host

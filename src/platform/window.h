@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/parallel_for.h"
 #include "base/result.h"
 #include "platform/input_event.h"
 
@@ -51,8 +52,8 @@ class Window {
   virtual PixelSize size() const = 0;
   virtual bool is_visible() const = 0;
   // Shows the picture on all of the window, scaled where its size is another. Returns when it was handed
-  // over, which with vsync is when the display has taken it.
-  virtual base::Status present(const Picture& picture) = 0;
+  // over, which with vsync is when the display has taken it. Copying is shared among the jobs.
+  virtual base::Status present(const Picture& picture, base::Jobs& jobs) = 0;
 
   // Hides the pointer and reports how the mouse moves, without the desktop's acceleration and edges.
   virtual void capture_mouse(bool captured) = 0;

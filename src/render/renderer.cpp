@@ -196,7 +196,8 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
 
 void Renderer::draw_overlay(const DrawList& list, FrameBuffer& io_frame, FrameStats& io_stats) const {
   StageClock clock(io_stats.stages);
-  render::draw_overlay(list, state_->colour_tables, io_frame);
+  base::Jobs* const jobs = state_->jobs ? &*state_->jobs : nullptr;  // none before the first view
+  render::draw_overlay(list, state_->colour_tables, jobs, io_frame);
   clock.end(Stage::kOverlay);
 }
 

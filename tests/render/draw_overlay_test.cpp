@@ -109,6 +109,7 @@ void expect_indexed_pixel(const render::DrawCommand& command, int index, std::ui
 }
 
 TEST(DrawOverlay, PutsEveryPixelWhereItBelongs) {
+  base::Jobs three(3, base::JobBackend::kStdThread);
   for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(effort(2000, 150)); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -124,8 +125,9 @@ TEST(DrawOverlay, PutsEveryPixelWhereItBelongs) {
     for (std::uint32_t& pixel : rgb.rgb()) pixel = static_cast<std::uint32_t>(random.bits()) | 0xff000000u;
     const std::vector<std::uint8_t> indexed_before(indexed.indexed().begin(), indexed.indexed().end());
     const std::vector<std::uint32_t> rgb_before(rgb.rgb().begin(), rgb.rgb().end());
-    render::draw_overlay({{command}}, some_tables(), indexed);
-    render::draw_overlay({{command}}, some_tables(), rgb);
+    base::Jobs* const jobs = seed % 2 == 0 ? &three : nullptr;
+    render::draw_overlay({{command}}, some_tables(), jobs, indexed);
+    render::draw_overlay({{command}}, some_tables(), jobs, rgb);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         const std::size_t i = static_cast<std::size_t>(y * width + x);
@@ -156,7 +158,7 @@ TEST(DrawOverlayDeathTest, RefusesPartsThatThePictureLacks) {
   const formats::Picture picture{4, 4, std::vector<std::uint8_t>(16, 1)};
   render::FrameBuffer frame(8, 8, render::PixelFormat::kIndexed);
   const auto draw = [&](const render::DrawCommand& command) {
-    render::draw_overlay({{command}}, some_tables(), frame);
+    render::draw_overlay({{command}}, some_tables(), nullptr, frame);
   };
   EXPECT_DEATH(draw({.picture = &picture, .area = {0, 0, 5, 4}}), "5x4");
   EXPECT_DEATH(draw({.picture = &picture, .area = {0, 0, 4, 4}, .part_x = 1}), "4x4");

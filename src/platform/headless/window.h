@@ -41,13 +41,7 @@ class HeadlessWindow : public Window {
   }
   PixelSize size() const override { return settings_.size; }
   bool is_visible() const override { return true; }
-  base::Status present(const Picture& picture) override {
-    if (!can_present_) return base::error(base::ErrorCode::kIo, "the window is lost");
-    shown_.assign(picture.pixels.begin(), picture.pixels.end());
-    shown_size_ = picture.size;
-    ++pictures_;
-    return base::Ok{};
-  }
+  base::Status present(const Picture& picture, base::Jobs& jobs) override;
   void capture_mouse(bool captured) override { captured_ = captured; }
   void take_text(bool wanted) override { takes_text_ = wanted; }
   std::string clipboard() const override { return clipboard_; }

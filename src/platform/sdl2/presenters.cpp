@@ -2,6 +2,7 @@
 
 #include <SDL_opengl.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <string_view>
@@ -27,7 +28,7 @@ class SurfacePresenter : public PicturePresenter {
  public:
   explicit SurfacePresenter(SDL_Window* window) : window_(window) {}
 
-  base::Status present(const Picture& picture) override {
+  base::Status present(const Picture& picture, base::Jobs& jobs) override {
     // SDL keeps it, and makes a new one when the window's size has changed.
     SDL_Surface* const surface = SDL_GetWindowSurface(window_);
     if (surface == nullptr) return sdl_error("the window's surface");
@@ -35,7 +36,7 @@ class SurfacePresenter : public PicturePresenter {
                          surface->format->BytesPerPixel == sizeof(std::uint32_t) &&
                          surface->format->Rmask == 0xff0000 && surface->format->Bmask == 0xff;
     if (is_same)
-      copy_rows(picture, *surface);
+      copy_rows(picture, jobs, *surface);
     else if (!draw_scaled(picture, surface))
       return sdl_error("the window's surface");
     if (SDL_UpdateWindowSurface(window_) != 0) return sdl_error("the window's surface");
@@ -48,12 +49,16 @@ class SurfacePresenter : public PicturePresenter {
   }
 
  private:
-  static void copy_rows(const Picture& picture, SDL_Surface& io_surface) {
+  static void copy_rows(const Picture& picture, base::Jobs& jobs, SDL_Surface& io_surface) {
     const auto width = static_cast<std::size_t>(picture.size.width);
-    auto* row = static_cast<std::uint8_t*>(io_surface.pixels);
-    for (int y = 0; y < picture.size.height; ++y, row += io_surface.pitch)
-      std::memcpy(row, picture.pixels.data() + static_cast<std::size_t>(y) * width,
-                  width * sizeof(std::uint32_t));
+    const auto height = static_cast<std::size_t>(picture.size.height);
+    const auto pitch = static_cast<std::size_t>(io_surface.pitch);
+    const auto slices = std::min(height, static_cast<std::size_t>(jobs.threads()));
+    auto* const pixels = static_cast<std::uint8_t*>(io_surface.pixels);
+    jobs.parallel_for(slices, [&](std::size_t slice) {
+      for (std::size_t y = height * slice / slices; y < height * (slice + 1) / slices; ++y)
+        std::memcpy(pixels + y * pitch, picture.pixels.data() + y * width, width * sizeof(std::uint32_t));
+    });
   }
 
   bool draw_scaled(const Picture& picture, SDL_Surface* io_surface) {
@@ -79,7 +84,7 @@ class RendererPresenter : public PicturePresenter {
   explicit RendererPresenter(std::unique_ptr<SDL_Renderer, DestroyRenderer> renderer)
       : renderer_(std::move(renderer)) {}
 
-  base::Status present(const Picture& picture) override {
+  base::Status present(const Picture& picture, base::Jobs&) override {
     if (!texture_ || size_ != picture.size) {
       SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "linear");
       texture_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB888, SDL_TEXTUREACCESS_STREAMING,

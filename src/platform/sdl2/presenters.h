@@ -13,7 +13,7 @@ namespace temblor::platform::sdl2 {
 class PicturePresenter {
  public:
   virtual ~PicturePresenter() = default;
-  virtual base::Status present(const Picture& picture) = 0;
+  virtual base::Status present(const Picture& picture, base::Jobs& jobs) = 0;
   virtual void set_vsync(bool vsync) = 0;
   virtual std::string describe() const = 0;
 };

@@ -44,7 +44,9 @@ class SdlWindow : public Window {
   bool is_visible() const override {
     return (SDL_GetWindowFlags(window_.get()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) == 0;
   }
-  base::Status present(const Picture& picture) override { return presenter_->present(picture); }
+  base::Status present(const Picture& picture, base::Jobs& jobs) override {
+    return presenter_->present(picture, jobs);
+  }
   void capture_mouse(bool captured) override;
   void take_text(bool wanted) override { wanted ? SDL_StartTextInput() : SDL_StopTextInput(); }
   std::string clipboard() const override;

@@ -13,18 +13,23 @@ namespace {
 
 constexpr std::uint8_t kClear = 255;
 
-// The part of a command's area that lies in the frame. 64 bits: corner plus size may be more than an int
+// Rows of the frame, drawn by one job.
+struct Rows {
+  std::int64_t first, end;
+};
+
+// The part of a command's area that lies in those rows. 64 bits: corner plus size may be more than an int
 // holds.
 struct Clip {
   std::int64_t x_first, x_end, y_first, y_end;
   bool is_empty() const { return x_first >= x_end || y_first >= y_end; }
 };
 
-Clip clip_to_frame(const ScreenRect& area, const FrameBuffer& frame) {
+Clip clip_to_rows(const ScreenRect& area, const FrameBuffer& frame, const Rows& rows) {
   return {std::max<std::int64_t>(area.x, 0),
           std::min<std::int64_t>(std::int64_t{area.x} + area.width, frame.width()),
-          std::max<std::int64_t>(area.y, 0),
-          std::min<std::int64_t>(std::int64_t{area.y} + area.height, frame.height())};
+          std::max<std::int64_t>(area.y, rows.first),
+          std::min<std::int64_t>(std::int64_t{area.y} + area.height, rows.end)};
 }
 
 // How runs of a palette index join what is there: as they are, or blended.
@@ -93,7 +98,10 @@ void draw_picture(const DrawCommand& command, const Clip& clip, const Paint& pai
   }
 }
 
-void check_part(const DrawCommand& command) {
+void check_command(const DrawCommand& command) {
+  CHECK(command.area.width >= 0 && command.area.height >= 0, "{}x{}", command.area.width,
+        command.area.height);
+  if (command.picture == nullptr) return;
   CHECK(command.scale >= 1, "scale {}", command.scale);
   const formats::Picture& picture = *command.picture;
   const ScreenRect& area = command.area;
@@ -107,27 +115,31 @@ void check_part(const DrawCommand& command) {
 }
 
 template <typename Paint>
-void draw_command(const DrawCommand& command, const ColourTables& tables, FrameBuffer& io_frame) {
-  CHECK(command.area.width >= 0 && command.area.height >= 0, "{}x{}", command.area.width,
-        command.area.height);
-  if (command.picture != nullptr) check_part(command);
-  const Clip clip = clip_to_frame(command.area, io_frame);
-  if (clip.is_empty() || !(command.opacity > 0)) return;
-  const Paint paint(command.opacity, tables);
-  if (command.picture != nullptr)
-    draw_picture(command, clip, paint, io_frame);
-  else
-    fill_rectangle(command, clip, paint, io_frame);
+void draw_rows(const DrawList& list, const ColourTables& tables, const Rows& rows, FrameBuffer& io_frame) {
+  for (const DrawCommand& command : list.commands) {
+    const Clip clip = clip_to_rows(command.area, io_frame, rows);
+    if (clip.is_empty() || !(command.opacity > 0)) continue;
+    const Paint paint(command.opacity, tables);
+    if (command.picture != nullptr)
+      draw_picture(command, clip, paint, io_frame);
+    else
+      fill_rectangle(command, clip, paint, io_frame);
+  }
 }
 
 }  // namespace
 
-void draw_overlay(const DrawList& list, const ColourTables& tables, FrameBuffer& io_frame) {
-  for (const DrawCommand& command : list.commands)
-    if (io_frame.format() == PixelFormat::kIndexed)
-      draw_command<IndexedPaint>(command, tables, io_frame);
-    else
-      draw_command<RgbPaint>(command, tables, io_frame);
+void draw_overlay(const DrawList& list, const ColourTables& tables, base::Jobs* jobs, FrameBuffer& io_frame) {
+  for (const DrawCommand& command : list.commands) check_command(command);
+  const auto draw = io_frame.format() == PixelFormat::kIndexed ? draw_rows<IndexedPaint> : draw_rows<RgbPaint>;
+  const std::int64_t height = io_frame.height();
+  if (jobs == nullptr) return draw(list, tables, {0, height}, io_frame);
+  // Many, as most of it lies in a few rows, the status bar's.
+  const auto bands = std::min<std::int64_t>(height, std::int64_t{jobs->threads()} * 16);
+  jobs->parallel_for(static_cast<std::size_t>(bands), [&](std::size_t i) {
+    const auto band = static_cast<std::int64_t>(i);
+    draw(list, tables, {height * band / bands, height * (band + 1) / bands}, io_frame);
+  });
 }
 
 }  // namespace temblor::render

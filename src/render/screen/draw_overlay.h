@@ -1,13 +1,14 @@
 // Stage 11. A DrawList -> pixels: pictures and rectangles over the finished view.
 #pragma once
 
+#include "base/parallel_for.h"
 #include "render/colour/colour_tables.h"
 #include "render/draw_list.h"
 #include "render/frame.h"
 
 namespace temblor::render {
 
-// Renderer::draw_overlay.
-void draw_overlay(const DrawList& list, const ColourTables& tables, FrameBuffer& io_frame);
+// Renderer::draw_overlay. Without jobs in place; the same pixels.
+void draw_overlay(const DrawList& list, const ColourTables& tables, base::Jobs* jobs, FrameBuffer& io_frame);
 
 }  // namespace temblor::render
