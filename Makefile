@@ -1,5 +1,5 @@
 # The README's two commands, `make play` and `make test`, do all set-up themselves; the rest is for working on it.
-.PHONY: play test bench format lint fuzz clean
+.PHONY: play test bench package install format lint fuzz clean shipped
 
 SOURCES = find src tests bench fuzz -name '*.cpp' -o -name '*.h'
 MAPS = start lq_e0m1 lq_e1m2
@@ -22,8 +22,19 @@ bench:
 	build/release/bench/kernel_bench
 	build/release/bench/vm_bench
 	build/release/bench/server_bench
-	$(if $(TEMBLOR_DATA),build/release/bench/served_bench build/release/game/quakec/progs.dat)
-	$(if $(TEMBLOR_DATA),build/release/bench/host_bench build/release/game/quakec/progs.dat)
+	$(if $(TEMBLOR_DATA),build/release/bench/served_bench build/release/game/id1/progs.dat)
+	$(if $(TEMBLOR_DATA),build/release/bench/host_bench build/release/game/id1/progs.dat)
+
+# A Debian package and an archive that may be unpacked anywhere, in build/release.
+package: shipped
+	cd build/release && cpack -G DEB && cpack -G TXZ
+# PREFIX=/usr/local unless told.
+install: shipped
+	cmake --install build/release --component game --prefix "$(or $(PREFIX),/usr/local)"
+shipped:
+	tools/setup.sh build
+	cmake --preset release
+	cmake --build --preset release --target temblor game
 
 format:
 	$(SOURCES) | xargs clang-format-14 -i

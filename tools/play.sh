@@ -1,29 +1,35 @@
 #!/usr/bin/env bash
-# `make play`: builds the program and opens the game with the data in TEMBLOR_DATA. Without data, or where there is no
-# display, it draws a level to out/play.png instead: `start` of the data, or the small one that Temblor makes in code.
+# `make play`: builds the program and the game that comes with it, and opens it, or the data that TEMBLOR_DATA names.
+# Where there is no display it makes a film of the game's recordings, and a sheet of pictures from it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 tools/setup.sh build
-cmake --preset release >/dev/null
-cmake --build --preset release --target temblor
-if command -v fteqcc >/dev/null; then cmake --build --preset release --target game; fi
+if [ ! build/release/build.ninja -nt CMakePresets.json ]; then cmake --preset release >/dev/null; fi
+targets=(temblor)
+if command -v fteqcc >/dev/null; then targets+=(game); fi
+cmake --build --preset release --target "${targets[@]}"
+program=build/release/temblor
 
-if [ -n "${TEMBLOR_DATA:-}" ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
-  code=()
-  # Data without game code plays with ours.
-  own_code=build/release/game/quakec/progs.dat
-  if ! ls "$TEMBLOR_DATA"/id1/*.[pP][aA][kK] "$TEMBLOR_DATA"/id1/progs.dat >/dev/null 2>&1 && [ -f "$own_code" ]; then
-    code=(--progs "$own_code")
+if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
+  options=()
+  if [ -n "${TEMBLOR_DATA:-}" ]; then
+    options=(--basedir "$TEMBLOR_DATA" play)
+    # Data without game code plays with ours.
+    own_code=build/release/game/id1/progs.dat
+    if ! ls "$TEMBLOR_DATA"/id1/*.[pP][aA][kK] "$TEMBLOR_DATA"/id1/progs.dat >/dev/null 2>&1 && [ -f "$own_code" ]; then
+      options+=(--progs "$own_code")
+    fi
+  else
+    options=(play)
   fi
-  exec build/release/temblor --basedir "$TEMBLOR_DATA" play "${code[@]}"
+  exec "$program" "${options[@]}"
 fi
 
 mkdir -p out
-if [ -n "${TEMBLOR_DATA:-}" ]; then
-  build/release/temblor --basedir "$TEMBLOR_DATA" render --map start -o out/play.png
-  echo "There is no display; what the game would show is in $PWD/out/play.png"
-else
-  build/release/temblor render -o out/play.png
-  echo "There is no game data: set TEMBLOR_DATA to a folder that holds id1. A picture is in $PWD/out/play.png"
-fi
+film=out/play.mp4 sheet=out/play.png
+echo "There is no display. What the game would show goes to"
+echo "  $PWD/$film"
+"$program" --basedir build/release/game render --demo t1 --size 1280x720 -o "$film"
+echo "  $PWD/$sheet"
+ffmpeg -v error -y -i "$film" -vf 'fps=1/2,scale=480:-1,tile=4x4' -frames:v 1 "$sheet"

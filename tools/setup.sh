@@ -5,17 +5,19 @@ set -euo pipefail
 
 packages=(g++ make cmake ninja-build pkgconf
   libtbb-dev libhwy-dev libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev libspng-dev libzip-dev
-  libembree-dev libsdl2-dev libsndfile1-dev libsamplerate0-dev libgtest-dev libgmock-dev libbenchmark-dev fteqcc)
+  libembree-dev libsdl2-dev libsndfile1-dev libsamplerate0-dev libgtest-dev libgmock-dev libbenchmark-dev fteqcc
+  ffmpeg dpkg-dev file)
 # Of clang one version, so that every machine formats and warns alike. Without them `make test` skips what needs them.
 # DarkPlaces and quakestat are peers to play with, Xvfb the display of the first; iproute2 makes a network bad.
-checkers=(git ffmpeg parallel iproute2 fteqcc qstat darkplaces darkplaces-server xvfb xauth xdotool weston quakespasm
+checkers=(git parallel iproute2 fteqcc qstat darkplaces darkplaces-server xvfb xauth xdotool weston quakespasm
   clang-16 libclang-rt-16-dev clang-format-14 clang-tidy-14)
 
+# One question for all of them: `make play` waits for the answer.
 missing_of() {
-  local name
-  for name in "$@"; do
-    dpkg-query -W -f '${db:Status-Status}' "$name" 2>/dev/null | grep -qx installed || echo "$name"
-  done
+  local installed
+  [ $# -gt 0 ] || return 0
+  installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "$@" 2>/dev/null | sed -n 's/ installed$//p') || true
+  printf '%s\n' "$@" | grep -vxF -e "$installed" || true
 }
 
 # Left out rather than fatal: a newer distribution has dropped these versions.

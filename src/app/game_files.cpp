@@ -3,7 +3,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <optional>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -35,14 +38,29 @@ bool is_without_data(const GameFolders& folders) {
   return folders.base_folder.empty() && !std::filesystem::is_directory("id1", ignored);
 }
 
+// In a build tree and an unpacked archive, and where `make install` and the package put it.
+constexpr std::array kShippedGame = {"game", "../share/games/temblor"};
+
+std::optional<std::filesystem::path> find_shipped_game() {
+  std::error_code failure;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failure);
+  for (const char* const place : kShippedGame) {
+    const std::filesystem::path folder = (program.parent_path() / place).lexically_normal();
+    if (std::filesystem::exists(folder / "id1/gfx/palette.lmp", failure)) return folder;
+  }
+  return {};
+}
+
 }  // namespace
 
 base::Result<std::filesystem::path> find_base_folder(const GameFolders& folders) {
-  if (is_without_data(folders))
-    return base::error(base::ErrorCode::kNotFound,
-                       "no game data: the current folder holds no id1; name the folder that does with "
-                       "--basedir DIR");
-  return std::filesystem::path(folders.base_folder.empty() ? "." : folders.base_folder);
+  if (!is_without_data(folders))
+    return std::filesystem::path(folders.base_folder.empty() ? "." : folders.base_folder);
+  if (std::optional<std::filesystem::path> shipped = find_shipped_game()) return *std::move(shipped);
+  return base::error(
+      base::ErrorCode::kNotFound,
+      "no game data: the current folder holds no id1, and the game that comes with Temblor is not "
+      "beside the program; name the folder that holds id1 with --basedir DIR");
 }
 
 base::Result<vfs::FileSystem> open_files(const GameFolders& folders) {

@@ -13,14 +13,16 @@
 
 namespace temblor::app {
 
-// The folder that --basedir names, or the current one where it holds id1; else fails, saying what to do.
+// The folder that --basedir names, or the current one where it holds id1, or the shipped game's, which lies
+// beside the program or where it is installed; else fails, saying what to do.
 base::Result<std::filesystem::path> find_base_folder(const GameFolders& folders);
 base::Result<vfs::FileSystem> open_files(const GameFolders& folders);
 
 // The palette that the level made in code is painted with, and what follows from it.
 assets::Look own_look();
 
-// The game's; Temblor's own where no --basedir is given and the current folder holds no id1.
+// The game's; Temblor's own, as the shipped game has it, where no --basedir is given and the current folder
+// holds no id1.
 base::Result<assets::Look> find_look(const GameFolders& folders);
 
 // "there are, for example, a, b, c": of `names`, those most like `wanted`; "there are none at all" without
