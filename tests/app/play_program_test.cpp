@@ -151,7 +151,7 @@ TEST(PlayProgram, WithoutADisplayItSaysSo) {
 
 TEST(PlayProgram, WithoutDataItSaysWhatToDo) {
   const TemporaryFolder folder;
-  const ProgramRun run = run_program(folder.path(), {"play", "--duration", "1"});
+  const ProgramRun run = run_program_alone(folder.path(), {"play", "--duration", "1"});
   EXPECT_EQ(run.exit_status, 1);
   EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
   EXPECT_THAT(run.err, HasSubstr("--basedir"));

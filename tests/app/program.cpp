@@ -34,10 +34,13 @@ std::string read_text(const std::filesystem::path& path) {
   return std::string(base::as_text(read_file(path)));
 }
 
-ProgramRun run_program(const std::filesystem::path& folder, const std::vector<std::string>& words) {
+namespace {
+
+ProgramRun run(const std::filesystem::path& program, const std::filesystem::path& folder,
+               const std::vector<std::string>& words) {
   const TemporaryFolder outputs;
   const std::filesystem::path out = outputs.path() / "out", err = outputs.path() / "err";
-  std::string command = fmt::format("cd {} && {}", quoted(folder.string()), quoted(TEMBLOR_PROGRAM));
+  std::string command = fmt::format("cd {} && {}", quoted(folder.string()), quoted(program.string()));
   for (const std::string& word : words) command.append(fmt::format(" {}", quoted(word)));
   command.append(fmt::format(" >{} 2>{} </dev/null", quoted(out.string()), quoted(err.string())));
   const int status = std::system(command.c_str());
@@ -47,6 +50,19 @@ ProgramRun run_program(const std::filesystem::path& folder, const std::vector<st
   run.out = read_text(out);
   run.err = read_text(err);
   return run;
+}
+
+}  // namespace
+
+ProgramRun run_program(const std::filesystem::path& folder, const std::vector<std::string>& words) {
+  return run(TEMBLOR_PROGRAM, folder, words);
+}
+
+ProgramRun run_program_alone(const std::filesystem::path& folder, const std::vector<std::string>& words) {
+  const TemporaryFolder elsewhere;
+  const std::filesystem::path program = elsewhere.path() / "temblor";
+  std::filesystem::copy_file(TEMBLOR_PROGRAM, program);
+  return run(program, folder, words);
 }
 
 bool is_one_error_line(std::string_view text) {

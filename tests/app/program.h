@@ -16,6 +16,8 @@ struct ProgramRun {
 
 // Runs it in `folder`. The words reach it as they are; no shell rule applies to them.
 ProgramRun run_program(const std::filesystem::path& folder, const std::vector<std::string>& words);
+// The same, of a copy that lies where the shipped game does not.
+ProgramRun run_program_alone(const std::filesystem::path& folder, const std::vector<std::string>& words);
 
 // A whole file, as it is. CHECKs that it is there.
 std::string read_text(const std::filesystem::path& path);
