@@ -19,7 +19,8 @@ error and exit status 1.
 Examples:
   temblor inspect quake/id1/pak0.pak
   temblor inspect quake/id1/maps/start.bsp --json
-  temblor inspect mymod/progs.dat)";
+  temblor inspect mymod/progs.dat
+  temblor inspect mygame/progs/knight.mdl --picture knight.png --frames 0,walk1,walk5 --views front,side)";
 
 // Names in files may be in any encoding; what is not UTF-8 is replaced.
 std::string dump(const Inspection& json) {
@@ -32,6 +33,27 @@ CLI::App* add_inspect_command(CLI::App& program, InspectOptions& io_options) {
   CLI::App* command = program.add_subcommand("inspect", "Says what a file holds, and what is wrong with it");
   command->add_option("file", io_options.file, "File of any known format")->type_name("FILE")->required();
   command->add_flag("--json", io_options.json, "Prints one JSON object");
+  CLI::Option* const picture = command
+                                   ->add_option("--picture", io_options.sheet.out,
+                                                "Draws a model: its frames side by side, a row a view")
+                                   ->type_name("OUT.png");
+  command
+      ->add_option("--frames", io_options.sheet.frames, "Which frames, by number or name; else eight of them")
+      ->type_name("A,B,...")
+      ->needs(picture);
+  command->add_option("--views", io_options.sheet.views, "Of front, side, back, above, quarter, hand")
+      ->type_name("A,B,...")
+      ->capture_default_str()
+      ->needs(picture);
+  command->add_option("--cell", io_options.sheet.cell_px, "Width and height of each picture")
+      ->type_name("PIXELS")
+      ->check(CLI::Range(16, 1024))
+      ->capture_default_str()
+      ->needs(picture);
+  command->add_option("--skin", io_options.sheet.skin, "Number of the skin")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000))
+      ->needs(picture);
   command->footer(kHelpFooter);
   return command;
 }
@@ -43,6 +65,7 @@ base::Status run_inspect(const InspectOptions& options) {
       fmt::print("{}\n", dump(Inspection{{"file", options.file}, {"error", result.error().what}}));
     return result.error();
   }
+  if (!options.sheet.out.empty()) TRY_STATUS(draw_model_sheet(options.file, options.sheet));
   fmt::print("{}", options.json ? dump(*result) + "\n" : describe_inspection(*result));
   return base::Ok{};
 }

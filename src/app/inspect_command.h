@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/model_sheet.h"
 #include "base/result.h"
 
 namespace CLI {
@@ -14,6 +15,7 @@ namespace temblor::app {
 struct InspectOptions {
   std::string file;
   bool json = false;
+  SheetOptions sheet;  // drawn where it has a name
 };
 
 CLI::App* add_inspect_command(CLI::App& program, InspectOptions& io_options);

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "artgen/models/model.h"
 #include "artgen/palette.h"
+#include "artgen/parts.h"
 #include "base/text.h"
 #include "formats/palette.h"
 #include "formats/wad.h"
@@ -24,9 +27,10 @@ struct Thing {
 using Lumps = std::map<std::string, ArtPart>;
 using Files = std::map<std::string, Lumps>;
 
-base::Result<std::vector<ArtPart>> make_thing(const RecipeLine& thing) {
+base::Result<std::vector<ArtPart>> make_thing(const RecipeLine& thing, const Parts& shared) {
+  TRY(const RecipeLine whole, with_parts(thing, shared));
   for (const ArtMaker& maker : art_makers())
-    if (maker.word == thing.word) return maker.make(thing);
+    if (maker.word == thing.word) return maker.make(whole);
   return recipe_error(thing, "there is no such kind of things");
 }
 
@@ -61,16 +65,26 @@ std::vector<ArtPart> palette_parts() {
 }  // namespace
 
 std::span<const ArtMaker> art_makers() {
-  return {};
+  static constexpr std::array kMakers = {
+      ArtMaker{"model", make_model_art},
+  };
+  return kMakers;
 }
 
 base::Result<std::vector<ArtFile>> make_art(std::span<const RecipeFile> recipes, base::Jobs& jobs) {
   std::vector<Thing> things;
-  for (const RecipeFile& recipe : recipes)
-    for (const RecipeLine& line : recipe.things) things.push_back({&recipe, &line});
+  Parts shared;
+  for (const RecipeFile& recipe : recipes) {
+    for (const RecipeLine& line : recipe.things) {
+      if (line.word == "part")
+        TRY_STATUS(add_part(line, shared).with_file(recipe.name));
+      else
+        things.push_back({&recipe, &line});
+    }
+  }
 
   std::vector<std::optional<base::Result<std::vector<ArtPart>>>> made(things.size());
-  jobs.parallel_for(things.size(), [&](std::size_t i) { made[i] = make_thing(*things[i].line); });
+  jobs.parallel_for(things.size(), [&](std::size_t i) { made[i] = make_thing(*things[i].line, shared); });
 
   Files files;
   TRY_STATUS(add_parts({}, palette_parts(), files));

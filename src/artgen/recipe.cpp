@@ -126,7 +126,8 @@ base::Result<std::vector<RecipeLine>> read_recipe(std::string_view text) {
 }
 
 base::Error recipe_error(const RecipeLine& line, std::string_view what) {
-  return base::malformed("line {}: {}: {}", line.number, base::quotable(line.word), what);
+  const std::string place = line.part.empty() ? "" : fmt::format("part {}, ", base::quotable(line.part));
+  return base::malformed("{}line {}: {}: {}", place, line.number, base::quotable(line.word), what);
 }
 
 std::string Arguments::text() {

@@ -23,6 +23,7 @@ namespace temblor::artgen {
 
 struct RecipeLine {
   std::int32_t number = 0;  // from 1
+  std::string part = {};    // that the line comes from (parts.h); empty: the thing's own
   std::string word;
   std::vector<std::string> values;
   std::vector<std::pair<std::string, std::string>> settings;
@@ -32,7 +33,7 @@ struct RecipeLine {
 // Blanks indent, tabs do not; lines under one line all start in one column. Errors name the line.
 base::Result<std::vector<RecipeLine>> read_recipe(std::string_view text);
 
-// An error about a line: "line 12: texture: ...".
+// An error about a line: "line 12: texture: ...", or "part NAME, line 12: ...".
 base::Error recipe_error(const RecipeLine& line, std::string_view what);
 
 // What a line says, asked for by type and checked: the first thing that is wrong is kept, the questions after
