@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "artgen/palette.h"
+#include "artgen/plans/level_maker.h"
 #include "base/text.h"
 #include "formats/palette.h"
 #include "formats/wad.h"
@@ -61,7 +62,10 @@ std::vector<ArtPart> palette_parts() {
 }  // namespace
 
 std::span<const ArtMaker> art_makers() {
-  return {};
+  static constexpr ArtMaker kMakers[] = {
+      {"level", make_level},
+  };
+  return kMakers;
 }
 
 base::Result<std::vector<ArtFile>> make_art(std::span<const RecipeFile> recipes, base::Jobs& jobs) {
