@@ -11,6 +11,7 @@
 #include "artgen/models/model.h"
 #include "artgen/palette.h"
 #include "artgen/parts.h"
+#include "artgen/plans/level_maker.h"
 #include "base/text.h"
 #include "formats/palette.h"
 #include "formats/wad.h"
@@ -65,8 +66,9 @@ std::vector<ArtPart> palette_parts() {
 }  // namespace
 
 std::span<const ArtMaker> art_makers() {
-  static constexpr std::array kMakers = {
-      ArtMaker{"model", make_model_art},
+  static constexpr ArtMaker kMakers[] = {
+      {"level", make_level},
+      {"model", make_model_art},
   };
   return kMakers;
 }

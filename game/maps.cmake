@@ -1,0 +1,44 @@
+# The shipped levels: game/maps/NAME.recipe -> work/maps/NAME.map -> id1/maps/NAME.bsp (and .lit where light has colours),
+# one after another, as each compilation uses all cores. A warning fails the build.
+set(maps_work "${CMAKE_CURRENT_BINARY_DIR}/work")
+set(maps_folder "${CMAKE_CURRENT_BINARY_DIR}/id1/maps")
+set_property(GLOBAL APPEND PROPERTY JOB_POOLS temblor_maps=1)
+
+file(GLOB_RECURSE texture_recipes CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/art/textures/*.recipe")
+file(GLOB map_recipes CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/maps/*.recipe")
+if(NOT texture_recipes OR NOT map_recipes)
+  return()
+endif()
+
+set(textures_wad "${maps_work}/textures.wad")
+add_custom_command(
+  OUTPUT "${textures_wad}"
+  COMMAND temblor art "${CMAKE_CURRENT_SOURCE_DIR}/art/textures" -o "${maps_work}"
+  DEPENDS ${texture_recipes} temblor
+  COMMENT "Textures"
+  VERBATIM)
+
+set(compile "\"$0\" compile \"$1\" --wad \"$2\" -o \"$3\" > \"$3.txt\" 2> \"$3.err\" && ! test -s \"$3.err\" || { cat \"$3.err\"; exit 1; }")
+set(install_level "cp \"$0\" \"$1\" && if test -e \"$2\"; then cp \"$2\" \"$1\"; fi")
+foreach(recipe IN LISTS map_recipes)
+  get_filename_component(name "${recipe}" NAME_WE)
+  set(map "${maps_work}/maps/${name}.map")
+  set(level "${maps_work}/maps/${name}.bsp")
+  add_custom_command(
+    OUTPUT "${map}"
+    COMMAND temblor art "${recipe}" -o "${maps_work}"
+    DEPENDS "${recipe}" temblor
+    COMMENT "Plan ${name}"
+    VERBATIM)
+  add_custom_command(
+    OUTPUT "${maps_folder}/${name}.bsp"
+    COMMAND sh -c "${compile}" "$<TARGET_FILE:temblor>" "${map}" "${textures_wad}" "${level}"
+    COMMAND "${CMAKE_COMMAND}" -E make_directory "${maps_folder}"
+    COMMAND sh -c "${install_level}" "${level}" "${maps_folder}" "${maps_work}/maps/${name}.lit"
+    DEPENDS "${map}" "${textures_wad}"
+    JOB_POOL temblor_maps
+    COMMENT "Level ${name}"
+    VERBATIM)
+  list(APPEND levels "${maps_folder}/${name}.bsp")
+endforeach()
+add_custom_target(game_maps ALL DEPENDS ${levels})
