@@ -22,6 +22,12 @@ std::optional<Field<float>> float_field(const vm::Program& program, std::string_
   return Field<float>{field->offset};
 }
 
+std::optional<Field<math::Vec3>> vector_field(const vm::Program& program, std::string_view name) {
+  const formats::ProgsDefinition* field = program.find_field(name);
+  if (!field || field->type != formats::ProgsType::kVector) return std::nullopt;
+  return Field<math::Vec3>{field->offset};
+}
+
 LookFields::LookFields(const vm::Program& program)
     : alpha(float_field(program, "alpha")), scale(float_field(program, "scale")) {}
 

@@ -13,6 +13,7 @@ namespace temblor::server {
 
 // A field of that name and type, where the program has it.
 std::optional<Field<float>> float_field(const vm::Program& program, std::string_view name);
+std::optional<Field<math::Vec3>> vector_field(const vm::Program& program, std::string_view name);
 
 // Fields beside the system's that say how an entity looks, where a program has them.
 struct LookFields {

@@ -13,7 +13,7 @@ constexpr std::span<const BuiltinEntry> (*kFamilies[])() = {
     vector_builtins,    number_builtins,    entity_builtins,   finding_builtins,  tracing_builtins,
     aiming_builtins,    movement_builtins,  precache_builtins, effect_builtins,   printing_builtins,
     writing_builtins,   text_builtins,      file_builtins,     variable_builtins, level_builtins,
-    debugging_builtins, rerelease_builtins,
+    debugging_builtins, rerelease_builtins, bot_builtins,
 };
 
 // Those that always work.
@@ -45,6 +45,10 @@ bool has_extension(const BuiltinContext& context, std::string_view name) {
   if (base::equal_ignoring_case(name, "FRIK_FILE")) return context.files.can_write();
   if (base::equal_ignoring_case(name, "KRIMZON_SV_PARSECLIENTCOMMAND"))
     return static_cast<bool>(context.client_command);
+  if (base::equal_ignoring_case(name, "DP_SV_BOTCLIENT") ||
+      base::equal_ignoring_case(name, "DP_SV_DROPCLIENT"))
+    return static_cast<bool>(context.places.spawn_bot);
+  if (base::equal_ignoring_case(name, "DP_QC_WHICHPACK")) return static_cast<bool>(context.pack_of);
   return std::any_of(std::begin(kExtensions), std::end(kExtensions),
                      [&](std::string_view known) { return base::equal_ignoring_case(name, known); });
 }

@@ -39,6 +39,19 @@ struct Requests {
     std::string line;
   };
   std::vector<PlayerCommand> player_commands{};
+  std::vector<std::size_t> dropped_players{};  // dropclient of people: their places
+};
+
+// Who plays in a client's place, as clienttype() numbers it.
+enum class PlayerType { kNobody = 0, kHuman = 1, kBot = 2, kNoPlace = 3 };
+
+// DP_SV_BOTCLIENT, DP_SV_DROPCLIENT: clients whose hands are the program itself. Places are counted from 0.
+struct PlayerPlaces {
+  // A bot in a free place, put into the game; kWorld: no place is free.
+  std::function<base::Result<vm::EntityIndex>()> spawn_bot{};
+  // Bots at once, people when the program has returned.
+  std::function<base::Status(std::size_t slot)> drop{};
+  std::function<PlayerType(std::size_t slot)> type_of{};
 };
 
 struct BuiltinContext {
@@ -66,6 +79,10 @@ struct BuiltinContext {
   // KRIMZON_SV_PARSECLIENTCOMMAND: does a player's command as if the program had not seen it. None: the
   // program is told that there is no such extension.
   std::function<void(vm::EntityIndex player, std::string_view command)> client_command{};
+  // None: the program is told that there are no bots.
+  PlayerPlaces places{};
+  // DP_QC_WHICHPACK: the name of the archive or folder that a file of the game is in; empty: it is in none.
+  std::function<std::string(std::string_view file)> pack_of{};
   std::vector<std::string> tokens{};  // of the last tokenize()
   // What was said once and need not be said again.
   std::set<std::string, std::less<>> warned{};

@@ -22,6 +22,7 @@ enum class ClientStage {
   kLoaded,   // was told how the level begins
   kSpawned,  // is in the game; was told of players and lights
   kPlaying,  // sends moves, gets updates
+  kBot,      // is in the game, without a connection: the program plays it
 };
 
 // A reliable message that waits for its turn.
@@ -63,6 +64,7 @@ struct Client {
   std::string doom;  // why it is to be dropped at the next chance; empty: it is not
 
   bool is_free() const { return stage == ClientStage::kFree; }
+  bool is_bot() const { return stage == ClientStage::kBot; }
   bool is_in_game() const { return stage >= ClientStage::kSpawned; }
 
   void add_ping(float ping_s) { pings_s[ping_count++ % pings_s.size()] = ping_s; }

@@ -23,7 +23,8 @@ float Client::ping() const {
 
 std::optional<std::size_t> Clients::slot_of(net::ConnectionId connection) const {
   for (std::size_t slot = 0; slot < clients_.size(); ++slot)
-    if (!clients_[slot].is_free() && clients_[slot].connection == connection) return slot;
+    if (!clients_[slot].is_free() && !clients_[slot].is_bot() && clients_[slot].connection == connection)
+      return slot;
   return std::nullopt;
 }
 
@@ -40,7 +41,7 @@ std::size_t Clients::connected() const {
 
 void Clients::queue(std::size_t slot, base::Bytes bytes) {
   Client& client = clients_[slot];
-  if (bytes.empty() || client.is_free()) return;
+  if (bytes.empty() || client.is_free() || client.is_bot()) return;
   if (slot == listened_to_) heard_.insert(heard_.end(), bytes.begin(), bytes.end());
   std::deque<WaitingMessage>& line = client.stage == ClientStage::kTold ? client.held : client.waiting;
   const bool joins =
@@ -143,7 +144,7 @@ void Clients::send_unreliable(std::size_t slot, base::Bytes bytes) {
 }
 
 void Clients::release(std::size_t slot, std::string_view reason) {
-  endpoint_.disconnect(clients_[slot].connection, reason);
+  if (!clients_[slot].is_bot()) endpoint_.disconnect(clients_[slot].connection, reason);
   clients_[slot] = Client{};
 }
 

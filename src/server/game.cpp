@@ -77,9 +77,13 @@ Game::Game(GameSetup setup, GameServices services)
               [this](vm::EntityIndex player, std::string_view line) {
                 if (requests_.player_commands.size() < Requests::kMaxPlayerCommands)
                   requests_.player_commands.push_back({player, std::string(line)});
-              }},
+              },
+          .places = player_places(),
+          .pack_of = [this](std::string_view file) { return services_.library.files().where(file); }},
       items2_field_(float_field(*setup_.program, "items2")),
-      look_fields_(*setup_.program) {
+      look_fields_(*setup_.program),
+      movement_field_(vector_field(*setup_.program, "movement")),
+      client_colors_field_(float_field(*setup_.program, "clientcolors")) {
   add_builtins(machine_, context_);
   const auto field_of = [&](auto field) { return vm::FieldIndex{field.word}; };
   machine_.set_state_fields({.self = global::kSelf,
@@ -145,8 +149,11 @@ base::Status Game::call(vm::GlobalIndex function, vm::EntityIndex self) {
 base::Status Game::tick(std::span<const PlayerInput> inputs) {
   machine_.set_global_float(global::kFrameTime, static_cast<float>(world_.tick_s));
   for (std::size_t slot = 0; slot < setup_.max_clients; ++slot) {
-    active_players_[slot] = slot < inputs.size() && inputs[slot].is_active;
-    if (active_players_[slot]) take_input(slot, inputs[slot]);
+    active_players_[slot] = bots_[slot] || (slot < inputs.size() && inputs[slot].is_active);
+    if (bots_[slot])
+      take_bot_input(slot);
+    else if (active_players_[slot])
+      take_input(slot, inputs[slot]);
   }
   const std::span<const bool> active = std::span(active_players_).first(setup_.max_clients);
   TRY_STATUS(run_physics(world_, tick_functions(), active,
@@ -212,6 +219,7 @@ base::Status Game::put_in(std::size_t slot, const SpawnParameters& parameters, s
 }
 
 base::Status Game::take_out(std::size_t slot) {
+  bots_[slot] = false;
   return call(global::kClientDisconnect, player_index(slot));
 }
 

@@ -51,6 +51,8 @@ struct GameServices {
   command::Variables& io_variables;
   std::function<void(std::string_view text)> print;
   std::filesystem::path data_folder{};
+  // Whether a client has this place or is on its way to it. None: those that are active have.
+  std::function<bool(std::size_t slot)> has_client{};
 };
 
 // What a player's client asked for since the last tick.
@@ -88,8 +90,14 @@ class Game {
   // Puts a player into the level: ClientConnect and PutClientInServer, on an entity that is cleared first.
   base::Status put_in(std::size_t slot, const SpawnParameters& parameters, std::string_view name,
                       std::uint8_t colors);
-  // ClientDisconnect.
+  // ClientDisconnect; a bot is none afterwards.
   base::Status take_out(std::size_t slot);
+  // Clients that the program plays (spawnclient), by slot: it writes their movement, v_angle, buttons and
+  // impulse; name and colours are those of their netname and clientcolors.
+  bool is_bot(std::size_t slot) const { return bots_[slot]; }
+  std::uint8_t bot_colors(std::size_t slot);
+  // That play on in this game, of one that it goes on from.
+  void take_over_bots(const Game& from) { bots_ = from.bots_; }
   // ClientKill
   base::Status kill(std::size_t slot);
   // colors: shirt << 4 | pants; the pants are the team.
@@ -129,6 +137,11 @@ class Game {
   base::Status set_up_world();
   base::Status spawn_level();
   void take_input(std::size_t slot, const PlayerInput& input);
+  void take_bot_input(std::size_t slot);
+  PlayerPlaces player_places();
+  base::Result<vm::EntityIndex> spawn_bot();
+  base::Status drop_player(std::size_t slot);
+  PlayerType type_of_player(std::size_t slot) const;
   TickFunctions tick_functions() const;
   void send_sounds();
   void send_sound(const PhysicsSound& sound);
@@ -150,7 +163,9 @@ class Game {
   LookFields look_fields_;
   SpawnReport spawn_report_;
   std::vector<std::size_t> signon_ends_;
-  std::array<bool, net::kMaxClients> active_players_{};
+  std::optional<Field<math::Vec3>> movement_field_;  // of bots
+  std::optional<Field<float>> client_colors_field_;
+  std::array<bool, net::kMaxClients> active_players_{}, bots_{};
 };
 
 }  // namespace temblor::server

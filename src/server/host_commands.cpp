@@ -75,6 +75,8 @@ void ban(Server& io_server, Arguments arguments) {
     return;
   }
   const base::Result<std::size_t> slot = find_player(io_server, arguments);
+  if (slot.ok() && io_server.clients()[*slot].is_bot())
+    return io_server.console().print_error("a bot has no address; `bot_fill` says how many there are");
   if (slot.ok()) {
     auto address = io_server.endpoint().address_of(io_server.clients()[*slot].connection);
     io_server.drop(*slot, "banned by the host");

@@ -44,7 +44,8 @@ GameServices Server::services() {
   return {.library = setup_.library,
           .io_variables = setup_.settings.variables(),
           .print = setup_.print,
-          .data_folder = setup_.write_folder.empty() ? "" : setup_.write_folder / "data"};
+          .data_folder = setup_.write_folder.empty() ? "" : setup_.write_folder / "data",
+          .has_client = [this](std::size_t slot) { return !clients_[slot].is_free(); }};
 }
 
 GameRequest Server::request_for(std::string_view map) const {
@@ -77,6 +78,7 @@ void Server::take_up(LoadedGame loaded) {
   endpoint_.set_protocol(game.dialect.protocol);
   for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
     Client& client = clients_[slot];
+    if (client.is_bot()) client = Client{};  // the new game makes its own
     if (client.is_free()) continue;
     // One that still loads the level before is told of this one when it has.
     client.loads_old_level = clients_.is_loading(slot);
@@ -192,12 +194,14 @@ base::Status Server::reload() {
 
   // The game goes on where the level is the same and the new program knows all that the old one remembers.
   std::vector<bool> goes_on(clients_.size());
-  for (std::size_t slot = 0; slot < clients_.size(); ++slot) goes_on[slot] = clients_[slot].is_in_game();
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot)
+    goes_on[slot] = clients_[slot].is_in_game() && !clients_[slot].is_bot();
   const bool is_same_level = loaded.game->setup().level_hash == old.level_hash;
   if (is_same_level) {
     const auto notes = restore(going_on, *loaded.game);
     if (notes.ok() && notes->empty()) {
       loaded.game->context().spawn_parameters = game_->context().spawn_parameters;
+      loaded.game->take_over_bots(*game_);
       take_up(std::move(loaded));
       goes_on_ = std::move(goes_on);
       if (clients_.size() == 1) set_paused(true);  // until the player is back
@@ -271,6 +275,8 @@ void Server::do_requests() {
     const std::size_t slot = base::to_size(command.player) - 1;
     if (slot < clients_.size() && !clients_[slot].is_free()) run_player_command(*this, slot, command.line);
   }
+  for (const std::size_t slot : requests.dropped_players)
+    if (slot < clients_.size()) drop(slot, "dropped by the game");
   if (!requests.commands.empty()) console_.append(requests.commands);
   if (requests.change_level) console_.append("changelevel \"" + *requests.change_level + "\"\n");
 }
@@ -286,7 +292,7 @@ void Server::shut_down(std::string_view reason) {
 }
 
 base::Status Server::record(std::size_t slot, std::string_view name) {
-  if (!game_ || slot >= clients_.size() || !clients_[slot].is_in_game())
+  if (!game_ || slot >= clients_.size() || !clients_[slot].is_in_game() || clients_[slot].is_bot())
     return base::error(base::ErrorCode::kUsage, "there is no player {} to record; `status` lists them",
                        static_cast<std::int64_t>(slot) + 1);
   if (recorder_) return base::error(base::ErrorCode::kUsage, "a recording is running already");

@@ -105,6 +105,8 @@ class Server {
   void take_event(const net::PeerDisconnected& event);
   void take_event(const net::RemoteCommand& event);
   net::ServerDescription description() const;
+  std::optional<std::size_t> place_for_newcomer();
+  void tell_of_leaving(std::size_t slot);
   void leave(std::size_t slot);
   void take_messages(std::size_t slot, base::Bytes bytes, bool is_reliable);
   void take_move(std::size_t slot, const net::Move& move);
@@ -143,6 +145,7 @@ class Server {
   void send_to(std::size_t slot);
   bool write_difference(std::size_t slot);
   void tell_frags();
+  void take_in_bots();
   void clear_flashes();
   void autosave();
   bool can_autosave();

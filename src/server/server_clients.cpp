@@ -51,7 +51,7 @@ void Server::take_events() {
 }
 
 void Server::take_event(const net::PeerConnected& event) {
-  const std::optional<std::size_t> slot = clients_.free_slot();
+  const std::optional<std::size_t> slot = place_for_newcomer();
   if (!game_ || !slot) {
     endpoint_.disconnect(event.connection, game_ ? "The server is full.\n" : "No level is running.\n");
     return;
@@ -69,6 +69,17 @@ void Server::take_event(const net::PeerConnected& event) {
   if (!parameters.ok()) return fail(parameters.error());
   client.parameters = *parameters;
   if (const base::Status told = tell_level(*slot); !told.ok()) client.doom = told.error().message();
+}
+
+// Where all are taken, a bot makes room.
+std::optional<std::size_t> Server::place_for_newcomer() {
+  if (const std::optional<std::size_t> slot = clients_.free_slot()) return slot;
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot)
+    if (clients_[slot].is_bot()) {
+      drop(slot, "makes room");
+      break;
+    }
+  return clients_.free_slot();
 }
 
 void Server::take_event(const net::PeerMessage& event) {
@@ -286,6 +297,10 @@ void Server::drop(std::size_t slot, std::string_view reason) {
   if (clients_[slot].is_free()) return;
   print(fmt::format("client {} ({}) removed: {}\n", clients_[slot].name, clients_[slot].address, reason));
   clients_.release(slot, reason);
+  tell_of_leaving(slot);
+}
+
+void Server::tell_of_leaving(std::size_t slot) {
   const auto number = static_cast<std::uint8_t>(slot);
   clients_.tell_everyone(net::UpdateName{number, ""});
   clients_.tell_everyone(net::UpdateFrags{number, 0});

@@ -65,6 +65,7 @@ void Server::run_tick() {
     if (const base::Status status = game_->tick(inputs_); !status.ok()) return fail(status.error());
     ++ticks_;
   }
+  take_in_bots();
   send_tick();
   do_requests();
 }
@@ -202,6 +203,28 @@ void Server::tell_frags() {
     if (now == client.frags_told) continue;
     client.frags_told = now;
     clients_.tell_everyone(net::UpdateFrags{static_cast<std::uint8_t>(slot), now});
+  }
+}
+
+// Bots that have come or gone, and what they call themselves now.
+void Server::take_in_bots() {
+  for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
+    Client& client = clients_[slot];
+    if (client.is_bot() && !game_->is_bot(slot)) {
+      clients_.release(slot, "");
+      tell_of_leaving(slot);
+    }
+    if (!game_->is_bot(slot)) continue;
+    if (client.is_free()) {
+      client.stage = ClientStage::kBot;
+      client.address = "bot";
+      client.joined_at_s = now_s_;
+    }
+    const auto number = static_cast<std::uint8_t>(slot);
+    const std::string_view name = game_->machine().text(game_->player(slot)[field::kNetName]);
+    if (name != client.name) clients_.tell_everyone(net::UpdateName{number, client.name = name});
+    const std::uint8_t colors = game_->bot_colors(slot);
+    if (colors != client.colors) clients_.tell_everyone(net::UpdateColors{number, client.colors = colors});
   }
 }
 

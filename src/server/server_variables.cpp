@@ -44,6 +44,9 @@ ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(
   v.add_float("timelimit", 0, 0, 1000000, "Minutes that a deathmatch lasts; 0: for ever (for game code).");
   v.add_bool("samelevel", false, "A deathmatch goes on in the same level (for game code).");
   v.add_int("noexit", 0, 0, 255, "Players cannot leave a level of a deathmatch (for game code).");
+  v.add_bool("pr_checkextension", true, "Game code may ask what this server can do besides the original's.");
+  v.add_int("bot_fill", 0, 0, 16, "Players in a deathmatch, made up with bots (for game code); 0: no bots.");
+  v.add_int("bot_skill", 1, 0, 3, "How well bots fight, 0 to 3 (for game code).");
   v.add_float("sv_aim", 0.93, -1, 2,
               "Cosine of the angle within which a shot is turned at a target; above 1: never.");
   for (const std::string_view name : {"gamecfg", "nomonsters", "temp1"})

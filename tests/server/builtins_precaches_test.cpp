@@ -46,10 +46,12 @@ TEST_F(Precaching, ModelsAreLoadedOnce) {
   EXPECT_EQ(stage.world.models[3].name, "progs/ogre.mdl");
 }
 
-TEST_F(Precaching, AModelThatCannotBeLoadedIsAnError) {
-  EXPECT_THAT(stage.error("precache_model", "progs/none.mdl"),
-              HasSubstr("builtin precache_model: progs/none.mdl: not there"));
-  EXPECT_EQ(stage.world.models.size(), 3u);
+TEST_F(Precaching, AModelThatCannotBeLoadedIsToldOfAndTheLevelGoesOn) {
+  stage.run("precache_model", "progs/none.mdl");
+  EXPECT_THAT(stage.printed, HasSubstr("builtin precache_model: progs/none.mdl: not there"));
+  ASSERT_EQ(stage.world.models.size(), 4u);
+  EXPECT_EQ(stage.world.models[3].name, "progs/none.mdl");
+  EXPECT_EQ(stage.world.models[3].box.maxs, math::Vec3(16.0f));
 }
 
 TEST_F(Precaching, FilesAreNamedOnly) {

@@ -100,12 +100,47 @@ TEST_F(Settings, CheckextensionSaysWhatWorks) {
         "DP_QC_CVAR_STRING", "DP_QC_FINDFLAGS", "DP_QC_SPRINTF", "dp_qc_sprintf"})
     EXPECT_EQ(stage.number("checkextension", name), 1) << name;
   for (const char* name :
-       {"", "DP_QC", "DP_QC_SPRINTF2", "FTE_CSQC", "FRIK_FILE", "KRIMZON_SV_PARSECLIENTCOMMAND"})
+       {"", "DP_QC", "DP_QC_SPRINTF2", "FTE_CSQC", "FRIK_FILE", "KRIMZON_SV_PARSECLIENTCOMMAND",
+        "DP_SV_BOTCLIENT", "DP_SV_DROPCLIENT", "DP_QC_WHICHPACK"})
     EXPECT_EQ(stage.number("checkextension", name), 0) << name;
   stage.context.files = server::ScriptFiles("somewhere", nullptr);
   stage.context.client_command = [](vm::EntityIndex, std::string_view) {};
   EXPECT_EQ(stage.number("checkextension", "FRIK_FILE"), 1);
   EXPECT_EQ(stage.number("checkextension", "KRIMZON_SV_PARSECLIENTCOMMAND"), 1);
+  stage.context.places.spawn_bot = [] { return base::Result(vm::kWorld); };
+  stage.context.pack_of = [](std::string_view) { return std::string(); };
+  for (const char* name : {"DP_SV_BOTCLIENT", "DP_SV_DROPCLIENT", "DP_QC_WHICHPACK"})
+    EXPECT_EQ(stage.number("checkextension", name), 1) << name;
+}
+
+TEST_F(Settings, BotsComeAndGoAndAreKnownAsSuch) {
+  EXPECT_THAT(stage.error("spawnclient"), HasSubstr("no bots"));
+  std::vector<std::size_t> dropped;
+  stage.context.places = {
+      .spawn_bot = [] { return base::Result(Stage::kPlayer2); },
+      .drop =
+          [&](std::size_t slot) {
+            dropped.push_back(slot);
+            return base::Status(base::Ok{});
+          },
+      .type_of =
+          [](std::size_t slot) { return slot == 0 ? server::PlayerType::kHuman : server::PlayerType::kBot; }};
+  EXPECT_EQ(stage.entity("spawnclient"), Stage::kPlayer2);
+  EXPECT_EQ(stage.number("clienttype", Stage::kPlayer1), 1);
+  EXPECT_EQ(stage.number("clienttype", Stage::kPlayer2), 2);
+  EXPECT_EQ(stage.number("clienttype", stage.spawn()), 3);
+  stage.run("dropclient", Stage::kPlayer2);
+  EXPECT_THAT(dropped, ElementsAre(1));
+  EXPECT_THAT(stage.error("dropclient", vm::kWorld), HasSubstr("no player's"));
+}
+
+TEST_F(Settings, WhichpackSaysWhereAFileIs) {
+  EXPECT_EQ(stage.text("whichpack", "progs/a.mdl"), "");
+  stage.context.pack_of = [](std::string_view file) {
+    return std::string(file == "progs/a.mdl" ? "id1/pak0.pak" : "");
+  };
+  EXPECT_EQ(stage.text("whichpack", "progs/a.mdl"), "id1/pak0.pak");
+  EXPECT_EQ(stage.text("whichpack", "progs/b.mdl"), "");
 }
 
 TEST_F(Settings, ClientcommandIsDoneForAPlayer) {

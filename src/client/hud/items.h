@@ -8,8 +8,9 @@
 namespace temblor::client {
 
 enum ItemBits : std::uint32_t {
-  kItemShotgun = 1u << 0,  // each weapon's bit is twice the one before: to kItemLightning
+  kItemShotgun = 1u << 0,  // each weapon's bit is twice the one before: to kItemTremor
   kItemLightning = 1u << 6,
+  kItemTremor = 1u << 7,  // of our own game: the extra weapon that stock status bars have no picture for
   kItemShells = 1u << 8,  // the ammunition that the weapon in hand takes
   kItemNails = 1u << 9,
   kItemRockets = 1u << 10,

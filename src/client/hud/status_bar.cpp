@@ -93,7 +93,7 @@ std::string weapon_picture(const char* name, bool in_hand, double held_s) {
 
 void draw_weapons(const Panel& inventory, const Game& game, const HudTimes& times, double time_s) {
   constexpr const char* kNames[] = {"shotgun", "sshotgun", "nailgun", "snailgun",
-                                    "rlaunch", "srlaunch", "lightng"};
+                                    "rlaunch", "srlaunch", "lightng", "tremor"};
   constexpr int kWidth = 24, kY = 8;
   const auto in_hand = static_cast<std::uint32_t>(game.stat(Stat::kActiveWeapon));
   for (std::size_t i = 0; i < std::size(kNames); ++i) {

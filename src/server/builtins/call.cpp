@@ -47,6 +47,14 @@ std::optional<std::uint16_t> Call::sound_number(std::string_view sample) const {
   return std::nullopt;
 }
 
+std::string Call::place() const {
+  const std::vector<vm::TraceEntry> trace = machine.current_trace();
+  const auto caller = std::find_if(trace.begin(), trace.end(),
+                                   [](const vm::TraceEntry& entry) { return entry.statement != 0; });
+  if (caller == trace.end()) return "";
+  return fmt::format(", in {}", machine.program().describe_place(caller->function, caller->statement));
+}
+
 void Call::warn_once(const std::string& text) const {
   // A program that makes up ever new things to be warned of is not listened to for ever.
   constexpr std::size_t kMaxWarnings = 256;

@@ -61,6 +61,8 @@ class Call {
   void print(std::string_view text) const {
     if (game.print) game.print(text);
   }
+  // ", in FUNCTION (FILE:LINE), statement N": who called this function; empty where nobody did.
+  std::string place() const;
   // The same words only once a game.
   void warn_once(const std::string& text) const;
 

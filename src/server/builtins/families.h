@@ -25,5 +25,6 @@ std::span<const BuiltinEntry> variable_builtins();
 std::span<const BuiltinEntry> level_builtins();
 std::span<const BuiltinEntry> debugging_builtins();
 std::span<const BuiltinEntry> rerelease_builtins();  // by name only
+std::span<const BuiltinEntry> bot_builtins();        // clients that the program plays
 
 }  // namespace temblor::server

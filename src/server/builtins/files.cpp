@@ -47,11 +47,14 @@ base::Status fputs(Call& io_call) {
   return base::Ok{};
 }
 
+// whichpack(name): where a file of the game lies; empty where there is none.
+base::Status whichpack(Call& io_call) {
+  return io_call.return_text(io_call.game.pack_of ? io_call.game.pack_of(io_call.text(0)) : std::string());
+}
+
 constexpr BuiltinEntry kEntries[] = {
-    {110, "fopen", fopen},
-    {111, "fclose", fclose},
-    {112, "fgets", fgets},
-    {113, "fputs", fputs},
+    {110, "fopen", fopen}, {111, "fclose", fclose},       {112, "fgets", fgets},
+    {113, "fputs", fputs}, {503, "whichpack", whichpack},
 };
 
 }  // namespace

@@ -44,6 +44,11 @@ base::Status precache_sound(Call& io_call) {
   return precache_file(io_call);
 }
 
+// For one that is missing or damaged: the level goes on, and clients show what they have for such.
+ServerModel stand_in() {
+  return {"", {math::Vec3{-16.0f}, math::Vec3{16.0f}}};
+}
+
 base::Status precache_model(Call& io_call) {
   const std::string_view name = io_call.text(0);
   TRY_STATUS(check_name(io_call, name));
@@ -54,8 +59,8 @@ base::Status precache_model(Call& io_call) {
     TRY_STATUS(check_room(io_call, name, models.size(), most_numbers(io_call, net::kMaxModels)));
     if (!io_call.game.load_model) return io_call.error("\"{}\": there are no files", base::quotable(name));
     base::Result<ServerModel> model = io_call.game.load_model(name);
-    if (!model.ok()) return io_call.error("{}", model.error().message());
-    models.push_back(*std::move(model));
+    if (!model.ok()) io_call.warn_once(fmt::format("{}{}", model.error().message(), io_call.place()));
+    models.push_back(model.ok() ? *std::move(model) : stand_in());
     models.back().name = name;  // what setmodel asks for
   }
   return precache_file(io_call);

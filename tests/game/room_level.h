@@ -1,0 +1,33 @@
+// Levels of a few brushes, made for a test, with a file for every model that the game names: they need no
+// data.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "game/played_level.h"
+#include "support/room_map.h"
+#include "support/temporary_folder.h"
+
+namespace temblor::test {
+
+// Whether the data has the Tremor's models, which stock data lacks.
+enum class HasTremor { kNo, kYes };
+
+class RoomData {
+ public:
+  // `map_text`: of a closed level; it is maps/room.bsp.
+  explicit RoomData(const std::string& map_text, HasTremor has_tremor = HasTremor::kYes);
+  const std::filesystem::path& path() const { return folder_.path(); }
+  const TemporaryFolder& folder() const { return folder_; }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+// A closed hall with that inside, these brushes and entities more. Starts are at its two ends in x, under the
+// ceiling: players fall to whatever floor there is.
+std::string hall_text(const math::Vec3d& mins, const math::Vec3d& maxs, const std::string& brushes = {},
+                      const std::string& entities = {});
+
+}  // namespace temblor::test
