@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "artgen/palette.h"
+#include "artgen/sounds/sound_maker.h"
 #include "base/text.h"
 #include "formats/palette.h"
 #include "formats/wad.h"
@@ -61,7 +63,10 @@ std::vector<ArtPart> palette_parts() {
 }  // namespace
 
 std::span<const ArtMaker> art_makers() {
-  return {};
+  static constexpr std::array kMakers = {
+      ArtMaker{"sound", make_sound_file},
+  };
+  return kMakers;
 }
 
 base::Result<std::vector<ArtFile>> make_art(std::span<const RecipeFile> recipes, base::Jobs& jobs) {
