@@ -12,6 +12,7 @@
 #include "artgen/palette.h"
 #include "artgen/parts.h"
 #include "artgen/plans/level_maker.h"
+#include "artgen/sounds/sound_maker.h"
 #include "base/text.h"
 #include "formats/palette.h"
 #include "formats/wad.h"
@@ -69,6 +70,7 @@ std::span<const ArtMaker> art_makers() {
   static constexpr ArtMaker kMakers[] = {
       {"level", make_level},
       {"model", make_model_art},
+      {"sound", make_sound_file},
   };
   return kMakers;
 }

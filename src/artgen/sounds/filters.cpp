@@ -1,0 +1,33 @@
+#include "artgen/sounds/filters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace temblor::artgen {
+namespace {
+
+constexpr double kHighestPart = 0.47;  // of the rate
+
+}  // namespace
+
+void StateFilter::set(double frequency, double q, double rate) {
+  g_ = std::tan(std::numbers::pi * std::min(frequency / rate, kHighestPart));
+  damping_ = 1 / q;
+  scale_ = 1 / (1 + g_ * (g_ + damping_));
+}
+
+StateFilter::Bands StateFilter::step(double sample) {
+  const double high = (sample - (damping_ + g_) * first_ - second_) * scale_;
+  const double band = g_ * high + first_;
+  const double low = g_ * band + second_;
+  first_ = g_ * high + band;
+  second_ = g_ * band + low;
+  return {low, band * damping_, high};
+}
+
+void Smoother::set(double frequency, double rate) {
+  part_ = 1 - std::exp(-2 * std::numbers::pi * std::min(frequency / rate, kHighestPart));
+}
+
+}  // namespace temblor::artgen

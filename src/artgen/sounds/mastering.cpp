@@ -1,0 +1,161 @@
+#include "artgen/sounds/mastering.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "artgen/sounds/filters.h"
+
+namespace temblor::artgen {
+namespace {
+
+constexpr std::array<SoundClass, 12> kClasses = {{
+    {"blast", -9},      // explosions, thunder nearby
+    {"weapon", -11},    // shots
+    {"impact", -14},    // what lands, bounces, hits
+    {"voice", -13},     // creatures
+    {"murmur", -19},    // creatures that stand about
+    {"player", -14},    // one's own voice
+    {"body", -18},      // one's own steps and splashes
+    {"item", -17},      // what is picked up
+    {"signal", -16},    // keys, secrets, messages
+    {"machine", -18},   // doors, lifts, buttons
+    {"ambience", -22},  // what is there all the time
+    {"menu", -18},
+}};
+
+double loudest_tenth(const Signal& signal, double rate) {
+  const std::size_t window = std::min(signal.size(), frames_in(0.1, rate));
+  double sum = 0, loudest = 0;
+  for (std::size_t i = 0; i < signal.size(); ++i) {
+    sum += signal[i] * signal[i];
+    if (i >= window) sum -= signal[i - window] * signal[i - window];
+    if (i + 1 >= window) loudest = std::max(loudest, sum);
+  }
+  return window == 0 ? 0 : std::sqrt(std::max(0.0, loudest) / static_cast<double>(frames_in(0.1, rate)));
+}
+
+// Straight up to two thirds, then ever flatter, never above kPeak.
+double bent(double sample) {
+  constexpr double kKnee = 0.65;
+  const double size = std::abs(sample);
+  if (size <= kKnee) return sample;
+  const double room = kPeak - kKnee;
+  return std::copysign(kKnee + room * std::tanh((size - kKnee) / room), sample);
+}
+
+Signal bent_by(const Signal& signal, double gain) {
+  Signal out(signal.size());
+  std::transform(signal.begin(), signal.end(), out.begin(),
+                 [&](double sample) { return bent(sample * gain); });
+  return out;
+}
+
+double eased(std::size_t i, std::size_t count) {
+  return 0.5 - 0.5 * std::cos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(count));
+}
+
+}  // namespace
+
+const SoundClass* find_sound_class(std::string_view name) {
+  const auto found = std::find_if(kClasses.begin(), kClasses.end(),
+                                  [&](const SoundClass& known) { return known.name == name; });
+  return found != kClasses.end() ? &*found : nullptr;
+}
+
+std::string sound_class_names() {
+  std::string names;
+  for (const SoundClass& known : kClasses) names.append(names.empty() ? "" : ", ").append(known.name);
+  return names;
+}
+
+void remove_rumble(Signal& io_signal, double rate) {
+  StateFilter filter;
+  filter.set(20, 0.7, rate);
+  for (double& sample : io_signal) sample = filter.step(sample).high;
+}
+
+void bring_to_level(Signal& io_signal, double db, double rate) {
+  constexpr double kMostBent = 4;  // 12 dB: a harder sound than that is a distorted one
+  double peak = 0;
+  for (const double sample : io_signal) peak = std::max(peak, std::abs(sample));
+  if (peak == 0) return;
+  const double wanted = std::pow(10.0, db / 20);
+  double gain = wanted / std::max(1e-9, loudest_tenth(io_signal, rate));
+  constexpr int kRounds = 6;
+  for (int round = 0; round < kRounds; ++round) {
+    gain = std::min(gain, kMostBent * kPeak / peak);
+    const double reached = loudest_tenth(bent_by(io_signal, gain), rate);
+    if (std::abs(reached / wanted - 1) < 0.01) break;
+    gain *= wanted / reached;
+  }
+  io_signal = bent_by(io_signal, std::min(gain, kMostBent * kPeak / peak));
+}
+
+void soften_start(Signal& io_signal, double rate) {
+  const std::size_t rise = std::min(io_signal.size(), frames_in(0.001, rate));
+  for (std::size_t i = 0; i < rise; ++i) io_signal[i] *= eased(i, rise);
+}
+
+void soften_end(Signal& io_signal, double fade_s, double rate) {
+  const std::size_t fall = std::min(io_signal.size(), frames_in(fade_s, rate));
+  for (std::size_t i = 0; i < fall; ++i) io_signal[io_signal.size() - 1 - i] *= eased(i, fall);
+}
+
+void blend_loop(Signal& io_signal, std::size_t start, std::size_t end, std::size_t blend) {
+  // How alike the two are says how loud their mixture is: noise loses half its power in the middle, a tone
+  // in step none.
+  double both = 0, from_power = 0, to_power = 0;
+  for (std::size_t i = 0; i < blend; ++i) {
+    const double from = io_signal[end - blend + i], to = io_signal[start - blend + i];
+    both += from * to;
+    from_power += from * from;
+    to_power += to * to;
+  }
+  const double powers = std::sqrt(from_power * to_power);
+  const double alike = powers > 0 ? std::max(-0.5, both / powers) : 1;
+  for (std::size_t i = 0; i < blend; ++i) {
+    const double part = static_cast<double>(i + 1) / static_cast<double>(blend + 1);
+    const double rest = 1 - part;
+    const double size = std::sqrt(part * part + rest * rest + 2 * alike * part * rest);
+    double& sample = io_signal[end - blend + i];
+    sample = (sample * rest + io_signal[start - blend + i] * part) / size;
+  }
+}
+
+Signal halve_rate(const Signal& signal) {
+  // A sinc of which every other tap is zero, in a Blackman window: -6 dB at a quarter of the rate, -70 dB
+  // from 0.29 of it on.
+  constexpr int kReach = 47;
+  std::array<double, kReach + 1> taps{};
+  taps[0] = 0.5;
+  for (int i = 1; i <= kReach; i += 2) {
+    const double x = static_cast<double>(i) / (kReach + 1);
+    const double window =
+        0.42 + 0.5 * std::cos(std::numbers::pi * x) + 0.08 * std::cos(2 * std::numbers::pi * x);
+    taps[static_cast<std::size_t>(i)] =
+        window * std::sin(0.5 * std::numbers::pi * i) / (std::numbers::pi * i);
+  }
+  Signal out((signal.size() + 1) / 2);
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    const std::size_t at = 2 * k;
+    double sum = taps[0] * signal[at];
+    for (std::size_t i = 1; i <= kReach; i += 2) {
+      if (at >= i) sum += taps[i] * signal[at - i];
+      if (at + i < signal.size()) sum += taps[i] * signal[at + i];
+    }
+    out[k] = sum;
+  }
+  return out;
+}
+
+std::vector<std::int16_t> to_samples(const Signal& signal) {
+  std::vector<std::int16_t> samples(signal.size());
+  std::transform(signal.begin(), signal.end(), samples.begin(), [](double sample) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(sample, -1.0, 1.0) * 32767));
+  });
+  return samples;
+}
+
+}  // namespace temblor::artgen
