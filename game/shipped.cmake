@@ -11,4 +11,4 @@ add_custom_command(
   DEPENDS ${recipes} "$<TARGET_FILE:temblor_artgen>"
   COMMENT "Art and sound of the shipped game"
   VERBATIM)
-add_custom_target(game_art DEPENDS "${art_made}")
+add_custom_target(game_art ALL DEPENDS "${art_made}")
