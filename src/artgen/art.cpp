@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "artgen/palette.h"
+#include "artgen/textures/texture.h"
 #include "base/text.h"
 #include "formats/palette.h"
 #include "formats/wad.h"
@@ -61,7 +62,12 @@ std::vector<ArtPart> palette_parts() {
 }  // namespace
 
 std::span<const ArtMaker> art_makers() {
-  return {};
+  static constexpr ArtMaker kMakers[] = {
+      {"animation", make_animation},
+      {"switch", make_switch},
+      {"texture", make_texture},
+  };
+  return kMakers;
 }
 
 base::Result<std::vector<ArtFile>> make_art(std::span<const RecipeFile> recipes, base::Jobs& jobs) {
