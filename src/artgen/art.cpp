@@ -13,6 +13,7 @@
 #include "artgen/parts.h"
 #include "artgen/plans/level_maker.h"
 #include "artgen/sounds/sound_maker.h"
+#include "artgen/textures/texture.h"
 #include "base/text.h"
 #include "formats/palette.h"
 #include "formats/wad.h"
@@ -68,6 +69,9 @@ std::vector<ArtPart> palette_parts() {
 
 std::span<const ArtMaker> art_makers() {
   static constexpr ArtMaker kMakers[] = {
+      {"animation", make_animation},
+      {"switch", make_switch},
+      {"texture", make_texture},
       {"level", make_level},
       {"model", make_model_art},
       {"sound", make_sound_file},
