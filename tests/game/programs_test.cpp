@@ -82,8 +82,10 @@ TEST_P(Programs, NameOnlyFilesThatTheDataHolds) {
   // The one that is only compared with, to know a stock level.
   const std::set<std::string> not_loaded = {"maps/e1m8.bsp"};
   // Of our own data: asked for before they are loaded.
-  const std::set<std::string> own = {"progs/v_tremor.mdl", "progs/g_tremor.mdl", "progs/tremor.mdl",
-                                     "weapons/tremor.wav", "weapons/tremor2.wav"};
+  const std::set<std::string> own = {"progs/v_tremor.mdl", "progs/g_tremor.mdl",  "progs/tremor.mdl",
+                                     "weapons/tremor.wav", "weapons/tremor2.wav", "progs/debris.mdl",
+                                     "break/stone.wav",    "break/wood.wav",      "break/glass.wav",
+                                     "break/metal.wav"};
   std::vector<std::string> missing;
   std::size_t found = 0;
   for (const std::string& text : program().strings) {
