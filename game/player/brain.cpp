@@ -80,7 +80,7 @@ net::Move Brain::think(server::Game& io_game, std::optional<math::Vec3> view_deg
   const Self self = feel_self(io_game, setup_.slot);
   if (view_deg) view_.set(*view_deg);
   if (!self.is_alive()) {
-    if (was_alive_) ++deaths_;
+    if (was_alive_) note_death(io_game, self);
     was_alive_ = false;
     drop_task();
     settled_since_s_ = now_s;
@@ -92,6 +92,7 @@ net::Move Brain::think(server::Game& io_game, std::optional<math::Vec3> view_deg
   if (!was_alive_) in_vain_since_s_.reset();
   was_alive_ = true;
   movers_.look(io_game, self.items);
+  planner_.set_items(self.items);
   Steering steering;
   steering.look_at = self.eye() + math::Vec3(math::basis_from_angles(view_.angles_deg()).forward) * 100.0f;
   acts_fire_ = false;
@@ -124,6 +125,15 @@ net::Move Brain::think(server::Game& io_game, std::optional<math::Vec3> view_deg
     move.buttons |= kAttackButton;
   move.impulse = static_cast<std::uint8_t>(pending_impulse_);
   return move;
+}
+
+void Brain::note_death(server::Game& io_game, const Self& self) {
+  const server::Edict edict = io_game.player(setup_.slot);
+  const vm::EntityIndex inflictor = edict[field::kDamageInflictor];
+  const vm::EntityIndex owner = io_game.world().edicts.at(inflictor)[field::kOwner];
+  std::string by = class_name(io_game, owner == vm::kWorld ? inflictor : owner);
+  deaths_.push_back(fmt::format("by {} at {:.0f} {:.0f} {:.0f}, {}", by, self.origin.x, self.origin.y,
+                                self.origin.z, describe()));
 }
 
 net::Move Brain::move_for(const Self& self, const Steering& steering) {

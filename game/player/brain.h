@@ -42,7 +42,8 @@ class Brain {
   const std::vector<std::string>& complaints() const { return complaints_; }
   // What he is about, for messages.
   std::string describe() const;
-  int deaths() const { return deaths_; }
+  // A line each: where, and of what.
+  const std::vector<std::string>& deaths() const { return deaths_; }
   // Whether that mover was open at any time since the level began.
   bool saw_open(int mover) const { return movers_.was_opened(mover); }
 
@@ -65,6 +66,7 @@ class Brain {
   void act(server::Game& io_game, const Self& self, double now_s, Steering& out);
   void find_work(server::Game& io_game, const Self& self, double now_s);
   net::Move move_for(const Self& self, const Steering& steering);
+  void note_death(server::Game& io_game, const Self& self);
   void complain(const std::string& text);
 
   const LevelMap* map_;
@@ -88,7 +90,8 @@ class Brain {
   std::size_t waypoint_ = 0;
   std::vector<std::string> complaints_;
   bool has_given_up_ = false, was_alive_ = true, jumped_ = false, acts_fire_ = false;
-  int deaths_ = 0, pending_impulse_ = 0;
+  int pending_impulse_ = 0;
+  std::vector<std::string> deaths_;
   std::uint64_t tick_ = 0;
 };
 

@@ -57,6 +57,11 @@ const Weapon& choose_weapon(const Self& self, float distance, bool only_bursts) 
   return kWeapons.back();
 }
 
+bool has_bursting_weapon(const Self& self) {
+  return std::any_of(kWeapons.begin(), kWeapons.end(),
+                     [&](const Weapon& weapon) { return weapon.bursts && can_use(self, weapon); });
+}
+
 const Weapon& in_hand(const Self& self) {
   for (const Weapon& weapon : kWeapons)
     if (weapon.bit == self.weapon) return weapon;
@@ -73,11 +78,34 @@ bool is_melee_class(std::string_view name) {
   return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
-// Fellow players are not to be hit.
-bool is_way_clear_of_friends(server::Game& io_game, const Self& self, const math::Vec3& to) {
+constexpr float kBlast_units = 190;
+
+bool is_explosive(server::Game& io_game, const server::Edict& edict) {
+  return edict[field::kTakeDamage] != 0 && class_name(io_game, edict.index()).starts_with("misc_explobox");
+}
+
+// Neither fellow players nor what would burst beside him are to be hit.
+bool is_shot_safe(server::Game& io_game, const Self& self, const math::Vec3& to) {
   const server::EntityTrace trace = server::trace_move(io_game.world(), self.eye(), {0, 0, 0}, {0, 0, 0}, to,
                                                        server::MoveKind::kNormal, self.entity);
-  return !trace.hit || !io_game.world().edicts.is_client(trace.entity);
+  if (!trace.hit || trace.entity == vm::kWorld) return true;
+  if (io_game.world().edicts.is_client(trace.entity)) return false;
+  const server::Edict edict = io_game.world().edicts[trace.entity];
+  return !is_explosive(io_game, edict) || glm::distance(middle(edict), self.origin) > kBlast_units;
+}
+
+// Away from boxes that may burst; 0: there are none near.
+math::Vec3 away_from_explosives(server::Game& io_game, const Self& self) {
+  server::GameWorld& world = io_game.world();
+  math::Vec3 away(0.0f);
+  for (std::uint32_t i = 1 + world.edicts.client_count(); i < world.edicts.count(); ++i) {
+    if (world.edicts.is_free(vm::EntityIndex{i})) continue;
+    const server::Edict edict = world.edicts[vm::EntityIndex{i}];
+    const math::Vec3 way = self.origin - middle(edict);
+    if (glm::length(way) < kBlast_units && is_explosive(io_game, edict))
+      away += math::Vec3(way.x, way.y, 0) / std::max(glm::length(math::Vec2(way)), 1.0f);
+  }
+  return away;
 }
 
 math::Vec3 turned(const math::Vec3& v, float radians) {
@@ -134,6 +162,12 @@ math::Vec3 Fighter::choose_way(server::Game& io_game, const Self& self, const ma
   const float distance = glm::length(math::Vec2(way));
   const math::Vec3 ahead =
       distance > 1 ? math::Vec3(way.x / distance, way.y / distance, 0) : math::Vec3(1, 0, 0);
+  if (const math::Vec3 away = away_from_explosives(io_game, self); away != math::Vec3(0.0f))
+    for (const float angle : {0.0f, 0.7f, -0.7f, 1.4f, -1.4f}) {
+      const math::Vec3 direction = turned(glm::normalize(away), angle);
+      if (can_walk(io_game.world(), self.entity, self.origin, self.origin + direction * kProbe_units))
+        return direction * kStrafeSpeed;
+    }
   // Across, leaning away from what bites and towards what is far.
   float lean = 1.5f;
   if (distance < (is_melee ? 260 : kTooClose_units)) lean = 2.4f;
@@ -181,6 +215,9 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   FightPlan plan{.enemy = *enemy_};
   plan.aim_at = middle(edict);
   const float distance = glm::distance(plan.aim_at, self.eye());
+  // What cannot be burst is only knocked down on the way.
+  plan.stands_and_fights =
+      (name != "monster_zombie" || has_bursting_weapon(self)) && self.water_level == 0;
   const Weapon& wanted = choose_weapon(self, distance, name == "monster_zombie");
   if (wanted.bit != self.weapon && now_s - changed_weapon_s_ > kWeaponPause_s) {
     plan.impulse = wanted.impulse;
@@ -198,7 +235,7 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   const bool is_axe = weapon.bit == 4096;
   plan.fires = distance < (is_axe ? 80.0f : weapon.farthest + 300) && !(weapon.bursts && distance < 120) &&
                sees(world, self.entity, self.eye(), plan.aim_at) &&
-               is_way_clear_of_friends(io_game, self, plan.aim_at);
+               is_shot_safe(io_game, self, plan.aim_at);
   if (is_axe) {
     const math::Vec3 way = plan.aim_at - self.origin;
     const float level = std::max(glm::length(math::Vec2(way)), 1.0f);

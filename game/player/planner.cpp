@@ -128,6 +128,11 @@ std::optional<Task> Planner::best_way_to_open(std::uint32_t from, int mover, std
 std::vector<Task> Planner::ways_to_open(int mover) {
   const Mover& m = space_->facts().movers[static_cast<std::size_t>(mover)];
   std::vector<Task> tasks;
+  if (m.key != 0 && (items_ & m.key) != 0) {
+    // Nothing but a touch of it is missing.
+    for (const MoverPart& part : m.parts) tasks.push_back(task_for(TaskKind::kPress, part.entity));
+    return tasks;
+  }
   if (m.key != 0) {
     const char* key = m.key == kSilverKey ? "item_key1" : "item_key2";
     server::GameWorld& world = game_->world();
@@ -137,6 +142,7 @@ std::vector<Task> Planner::ways_to_open(int mover) {
           world.edicts[entity].solid() != server::Solid::kTrigger)
         continue;
       tasks.push_back(task_for(TaskKind::kTake, entity));
+      tasks.back().opens = mover;
     }
     if (tasks.empty()) why_not_.push_back(fmt::format("{}: the level has no {} left", m.describe, key));
     return tasks;

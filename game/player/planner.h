@@ -33,8 +33,8 @@ class Planner {
           Router& io_router)
       : game_(&io_game), space_(&space), graph_(&graph), movers_(&movers), router_(&io_router) {}
 
-  // The game has been set up again: entities are the same.
-  void set_game(server::Game& io_game) { game_ = &io_game; }
+  // What the player carries: keys.
+  void set_items(int items) { items_ = items; }
 
   // The next thing to do from there; nothing: it cannot be reached, see why_not().
   std::optional<Task> plan(std::uint32_t from, Task goal);
@@ -60,6 +60,7 @@ class Planner {
   const NavGraph* graph_;
   const MoverWatch* movers_;
   Router* router_;
+  int items_ = 0;
   std::map<std::uint32_t, int> uses_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> shooting_places_;
   std::vector<std::string> why_not_;

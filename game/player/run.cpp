@@ -151,7 +151,7 @@ class Run {
   void finish() {
     report_.time_s = played_s();
     for (auto& brain : brains_) {
-      report_.deaths += brain->deaths();
+      for (const std::string& text : brain->deaths()) report_.deaths.push_back(text);
       for (const std::string& text : brain->complaints()) report_.complaints.push_back(text);
     }
     report_.stuck_monsters = monsters_->stuck();

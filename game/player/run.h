@@ -29,7 +29,8 @@ struct RunReport {
   bool reached_exit = false;
   std::string exit;  // the level that it leads to
   double time_s = 0;
-  int kills = 0, monsters = 0, found_secrets = 0, secrets = 0, deaths = 0;
+  int kills = 0, monsters = 0, found_secrets = 0, secrets = 0;
+  std::vector<std::string> deaths;
   std::vector<std::string> complaints;       // why it ended without an exit; secrets that were not reached
   std::vector<std::string> stuck_monsters;   // in walls
   std::vector<std::string> idle_monsters;    // stood still in a fight

@@ -269,8 +269,14 @@ void Walker::steer_special(server::Game& io_game, const Self& self, Steering& ou
       return;
     }
     case WayKind::kClimbOut:
-      out.velocity = level_direction(self.origin, next) * kRunSpeed;
-      out.velocity.z = self.swims() && self.water_level == 3 ? 200.0f : 60.0f;
+      // Up where he is, then over the edge, which may hang over the water.
+      if (self.swims() && self.water_level == 3) {
+        out.velocity = velocity_to_stand_at(self, here) * 0.5f;
+        out.velocity.z = 300;
+      } else {
+        out.velocity = level_direction(self.origin, next) * kRunSpeed;
+        out.velocity.z = 60;
+      }
       out.look_at.z = self.eye().z;
       return;
     default:
