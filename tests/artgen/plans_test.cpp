@@ -122,7 +122,8 @@ TEST(Plans, RoomsOfAnyShapeCompileWithoutALeak) {
   for (std::uint64_t seed = 1; seed <= test::effort(30, 4); ++seed) {
     const RandomRooms rooms = random_rooms(seed);
     const Point middle = (rooms.boxes[0].low + rooms.boxes[0].high) / 2;
-    const std::string start = fmt::format("  entity info_player_start {},{},{}\n", middle.x, middle.y, middle.z);
+    const std::string start =
+        fmt::format("  entity info_player_start {},{},{}\n", middle.x, middle.y, middle.z);
     const base::Result<std::string> text = map_text(rooms.lines + start);
     ASSERT_TRUE(text.ok()) << "seed " << seed;
     compiler::Warnings warnings;
@@ -130,7 +131,8 @@ TEST(Plans, RoomsOfAnyShapeCompileWithoutALeak) {
     ASSERT_TRUE(draft.ok()) << "seed " << seed;
     EXPECT_FALSE(draft->leak) << "seed " << seed;
     EXPECT_FALSE(draft->clip_hulls_leak) << "seed " << seed;
-    for (const compiler::Warning& warning : warnings) ADD_FAILURE() << "seed " << seed << ": " << warning.what;
+    for (const compiler::Warning& warning : warnings)
+      ADD_FAILURE() << "seed " << seed << ": " << warning.what;
   }
 }
 
