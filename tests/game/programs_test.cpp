@@ -140,7 +140,7 @@ TEST(Game, HasASpawnFunctionForEveryClassOfTheStockLevels) {
 // And of the levels whose source alone is there. Compilers' own classes do not come so far.
 TEST(Game, HasASpawnFunctionForEveryClassOfTheStockSources) {
   DATA_FOLDER_OR_SKIP(data);
-  const ProgramFile game = read_program_file(kGames / "quakec/progs.dat");
+  const ProgramFile game = read_program_file(kGames / "id1/progs.dat");
   std::set<std::string> unknown;
   std::size_t seen = 0;
   for (const auto& file : std::filesystem::directory_iterator(data / "mapsrc")) {
