@@ -266,7 +266,8 @@ base::Status draw_model_sheet(const std::filesystem::path& model_file, const She
 
   // Of one view: as square as it can be.
   const auto count = static_cast<int>(frames.size());
-  const int columns = views.size() > 1 ? count : static_cast<int>(std::ceil(std::sqrt(count * 1.5)));
+  const int columns =
+      views.size() > 1 ? count : std::min(count, static_cast<int>(std::ceil(std::sqrt(count * 1.5))));
   const int rows_a_view = (count + columns - 1) / columns;
   const int cell = options.cell_px;
   render::FrameBuffer sheet(columns * cell, rows_a_view * cell * static_cast<int>(views.size()),
