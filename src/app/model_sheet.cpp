@@ -35,7 +35,6 @@ constexpr std::size_t kSpreadFrames = 8;
 constexpr float kFovDeg = 30;
 constexpr double kMargin = 1.05;  // of what a picture shows around what must be seen
 constexpr double kRoomSide = 3072, kRoomHeight = 1536, kWall = 16;  // units
-constexpr float kLeastLight = 110;
 
 struct View {
   std::string_view name;
@@ -83,10 +82,11 @@ std::string brush(const math::Vec3d& mins, const math::Vec3d& maxs, std::string_
 
 class NeverStops : public compiler::CompileWatcher {};
 
-// A wide room, its floor at z 0.
-base::Result<std::shared_ptr<const world::Level>> make_studio(const formats::Palette& palette,
+// A wide room, its floor at z 0, with the same light (0 to 255) everywhere.
+base::Result<std::shared_ptr<const world::Level>> make_studio(const formats::Palette& palette, int light,
                                                               base::Jobs& jobs) {
-  std::string text = "{\n\"classname\" \"worldspawn\"\n\"light\" \"120\"\n";
+  std::string text = "{\n\"classname\" \"worldspawn\"\n";
+  text += fmt::format("\"light\" \"{}\"\n", light);
   const double half = kRoomSide / 2;
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool upper : {false, true}) {
@@ -211,7 +211,6 @@ void take(const Studio& studio, const Shot& shot, render::Renderer& renderer,
   instance.model = studio.model.get();
   instance.from_pose = instance.to_pose = render::pose_at(*studio.model, shot.frame, 0);
   instance.skin = render::skin_at(*studio.model, shot.skin, 0);
-  instance.least_light = kLeastLight;
   render::Scene scene;
   scene.level = studio.level.get();
   if (shot.view == kHandView) {
@@ -261,12 +260,13 @@ base::Status draw_model_sheet(const std::filesystem::path& model_file, const She
   base::Jobs jobs(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   Studio studio = set_up(mdl, frames);
   studio.palette = palette_for(model_file);
-  TRY(studio.level, make_studio(studio.palette, jobs));
+  TRY(studio.level, make_studio(studio.palette, options.light, jobs));
   studio.model = render::make_alias_model(mdl, model_file.string());
 
   // Of one view: as square as it can be.
   const auto count = static_cast<int>(frames.size());
-  const int columns = views.size() > 1 ? count : static_cast<int>(std::ceil(std::sqrt(count * 1.5)));
+  const int columns =
+      views.size() > 1 ? count : std::min(count, static_cast<int>(std::ceil(std::sqrt(count * 1.5))));
   const int rows_a_view = (count + columns - 1) / columns;
   const int cell = options.cell_px;
   render::FrameBuffer sheet(columns * cell, rows_a_view * cell * static_cast<int>(views.size()),
