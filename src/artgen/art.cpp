@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "artgen/palette.h"
+#include "artgen/sounds/music_maker.h"
 #include "artgen/sounds/sound_maker.h"
 #include "base/text.h"
 #include "formats/palette.h"
@@ -64,6 +65,7 @@ std::vector<ArtPart> palette_parts() {
 
 std::span<const ArtMaker> art_makers() {
   static constexpr std::array kMakers = {
+      ArtMaker{"music", make_music_file},
       ArtMaker{"sound", make_sound_file},
   };
   return kMakers;
