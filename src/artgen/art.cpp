@@ -12,6 +12,7 @@
 #include "artgen/palette.h"
 #include "artgen/parts.h"
 #include "artgen/plans/level_maker.h"
+#include "artgen/sounds/music_maker.h"
 #include "artgen/sounds/sound_maker.h"
 #include "artgen/textures/texture.h"
 #include "base/text.h"
@@ -75,6 +76,7 @@ std::span<const ArtMaker> art_makers() {
       {"level", make_level},
       {"model", make_model_art},
       {"sound", make_sound_file},
+      {"music", make_music_file},
   };
   return kMakers;
 }

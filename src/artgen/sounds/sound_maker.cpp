@@ -79,7 +79,7 @@ base::Result<formats::Wav> make_wav(const RecipeLine& thing, const SoundPlan& pl
   TRY(Signal signal, render_patch(thing.below, {kSynthesisRate, total_s, total_s, 1, seed}));
   signal.resize(front + length);
   remove_rumble(signal, kSynthesisRate);
-  bring_to_level(signal, plan.level_db, kSynthesisRate);
+  bring_to_level({&signal, 1}, plan.level_db, kSynthesisRate);
   formats::Wav wav;
   wav.bits = 16;
   wav.frames_per_second = static_cast<std::uint32_t>(plan.half_rate ? kSynthesisRate / 2 : kSynthesisRate);
