@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +13,10 @@
 
 namespace temblor::artgen::pictures {
 namespace {
+
+// Settings that lines of a word have where they do not say their own.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+using Usual = std::map<std::string, Settings>;
 
 Placement within(const Placement& outer, const Placement& inner) {
   return {outer.to_canvas(inner.at), outer.turn_deg + inner.turn_deg, outer.scale * inner.scale};
@@ -69,32 +75,62 @@ base::Status change_all(const RecipeLine& line, Canvas& io_canvas) {
   return base::Ok{};
 }
 
-base::Status draw_group(const RecipeLine& line, const Placement& placement, Canvas& io_canvas) {
+base::Status set_usual(const RecipeLine& line, Usual& io_usual) {
+  if (line.values.size() != 1 || !is_shape_word(line.values[0]))
+    return recipe_error(line, fmt::format("it is followed by one of {}", shape_words()));
+  io_usual[line.values[0]] = line.settings;
+  return base::Ok{};
+}
+
+RecipeLine with_usual(const RecipeLine& line, const Usual& usual) {
+  RecipeLine whole = line;
+  const auto settings = usual.find(line.word);
+  if (settings == usual.end()) return whole;
+  for (const auto& setting : settings->second)
+    if (std::none_of(line.settings.begin(), line.settings.end(),
+                     [&](const auto& own) { return own.first == setting.first; }))
+      whole.settings.push_back(setting);
+  return whole;
+}
+
+base::Status draw_lines(std::span<const RecipeLine> lines, const Placement& placement, Usual usual,
+                        Canvas& io_canvas);
+
+base::Status draw_group(const RecipeLine& line, const Placement& placement, const Usual& usual,
+                        Canvas& io_canvas) {
   Arguments arguments(line);
   const Placement inner = read_placement(arguments);
   TRY_STATUS(arguments.finish());
-  return draw(line.below, within(placement, inner), io_canvas);
+  return draw_lines(line.below, within(placement, inner), usual, io_canvas);
 }
 
-}  // namespace
-
-base::Status draw(std::span<const RecipeLine> lines, const Placement& placement, Canvas& io_canvas) {
+base::Status draw_lines(std::span<const RecipeLine> lines, const Placement& placement, Usual usual,
+                        Canvas& io_canvas) {
   TRY(const Glyphs glyphs, read_glyphs(lines));
   for (const RecipeLine& line : lines) {
     if (line.word == "glyph") continue;
-    if (is_shape_word(line.word))
-      TRY_STATUS(draw_shape(line, placement, io_canvas));
+    if (line.word == "usual")
+      TRY_STATUS(set_usual(line, usual));
+    else if (is_shape_word(line.word))
+      TRY_STATUS(draw_shape(with_usual(line, usual), placement, io_canvas));
     else if (line.word == "group")
-      TRY_STATUS(draw_group(line, placement, io_canvas));
+      TRY_STATUS(draw_group(line, placement, usual, io_canvas));
     else if (line.word == "write")
       TRY_STATUS(draw_words(line, glyphs, placement, io_canvas));
     else if (line.word == "tint" || line.word == "shade" || line.word == "weather")
       TRY_STATUS(change_all(line, io_canvas));
     else
       return recipe_error(
-          line, fmt::format("pictures know {}, group, write, tint, shade, weather, glyph", shape_words()));
+          line,
+          fmt::format("pictures know {}, group, usual, write, tint, shade, weather, glyph", shape_words()));
   }
   return base::Ok{};
+}
+
+}  // namespace
+
+base::Status draw(std::span<const RecipeLine> lines, const Placement& placement, Canvas& io_canvas) {
+  return draw_lines(lines, placement, {}, io_canvas);
 }
 
 }  // namespace temblor::artgen::pictures
