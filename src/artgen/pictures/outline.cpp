@@ -82,14 +82,22 @@ Outline make_arc(Vec2d middle, double radius, double width, double from_deg, dou
     const double angle = (from_deg + (to_deg - from_deg) * i / steps) * std::numbers::pi / 180;
     points.push_back(middle + Vec2d{std::cos(angle), std::sin(angle)} * radius);
   }
-  const Vec2d reach{radius + width, radius + width};
+  return make_trace(points, width);
+}
+
+Outline make_trace(const std::vector<Vec2d>& points, double width) {
+  Vec2d mins = points.front(), maxs = points.front();
+  for (const Vec2d& point : points) {
+    mins = glm::min(mins, point);
+    maxs = glm::max(maxs, point);
+  }
   const auto distance = [=](Vec2d place) {
     double nearest = 1e9;
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
       nearest = std::min(nearest, segment_distance(place, points[i], points[i + 1]));
     return nearest - width / 2;
   };
-  return {distance, middle - reach, middle + reach};
+  return {distance, mins - Vec2d{width, width}, maxs + Vec2d{width, width}};
 }
 
 Outline make_polygon(std::vector<Vec2d> corners) {

@@ -25,6 +25,8 @@ Outline make_polygon(std::vector<math::Vec2d> corners);  // at least 3
 // Joined lines with flat ends; each line is `flare` times wider at its ends than in its middle, as cut with a
 // chisel.
 Outline make_line(const std::vector<math::Vec2d>& points, double width, double flare);
+Outline make_trace(const std::vector<math::Vec2d>& points,
+                   double width);  // the same, round; 2 points or more
 // A disc whose radius wanders by +- `rough` of itself, in lumps as long as `lump` radii.
 Outline make_blob(math::Vec2d middle, double radius, double rough, double lump, double seed);
 

@@ -132,7 +132,7 @@ Outline read_wave(Asked& asked) {
     points.push_back(from + along * share + across * ((i & 1) != 0 ? -swing : swing));
   }
   points.push_back(to);
-  return make_line(points, width, 1);
+  return make_trace(points, width);
 }
 
 // A jagged line, halved again and again; thin at its end.
