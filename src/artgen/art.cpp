@@ -11,6 +11,7 @@
 #include "artgen/models/model.h"
 #include "artgen/palette.h"
 #include "artgen/parts.h"
+#include "artgen/pictures/picture_makers.h"
 #include "artgen/plans/level_maker.h"
 #include "artgen/sounds/music_maker.h"
 #include "artgen/sounds/sound_maker.h"
@@ -75,6 +76,13 @@ std::span<const ArtMaker> art_makers() {
       {"texture", make_texture},
       {"level", make_level},
       {"model", make_model_art},
+      {"font", make_font},
+      {"picture", make_picture},
+      {"wadpicture", make_wad_picture},
+      {"pictures", make_pictures},
+      {"wadpictures", make_wad_pictures},
+      {"sprite", make_sprite},
+      {"icon", make_icon},
       {"sound", make_sound_file},
       {"music", make_music_file},
   };
