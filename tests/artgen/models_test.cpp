@@ -319,6 +319,10 @@ TEST(ModelRecipes, WrongLinesAreToldWithWhatIsAllowed) {
       {body + "  animation walk 4\n    key 5 a=1\n", "line 6: key: its first value is a frame from 0 to 4"},
       {body + "  animation walk 4\n    key 0 b=1\n", "line 6: key: there is no bone 'b'"},
       {body + "  animation walk 4\n    key 0 a=1,2,3,4\n", "line 6: key: a=1,2,3,4 is not PITCH"},
+      {body + "  animation walk 4\n    key 0 a.scale=0\n", "line 6: key: a.scale=0 is not above 0"},
+      {body + "  scale a by=1,0,1\n", "line 5: scale: by=1,0,1 is neither a number nor X,Y,Z, above 0"},
+      {body + "  animation a 1000\n  like b a 1000\n  like c a 1000\n  like d a 1000\n  like e a 1000\n",
+       "line 1: model: 5000 frames; a model has at most 4096"},
       {body + "  animation walk 4\n    key 0 hop\n", "line 6: key: there is no pose 'hop'"},
       {body + "  animation walk 4\n    gait speed=2\n", "line 6: gait: the model has no 'foot'"},
       {body + "  like run walk 4\n", "line 5: like: there is no animation 'walk' before it"},
@@ -327,6 +331,18 @@ TEST(ModelRecipes, WrongLinesAreToldWithWhatIsAllowed) {
   for (const auto& [lines, message] : cases)
     EXPECT_TRUE(error_of(lines).starts_with(message)) << error_of(lines);
   EXPECT_TRUE(error_of("  ball q 0,0,0 1,1,1\n").find("the model has no paint") != std::string::npos);
+}
+
+TEST(ModelRecipes, WhatIsTooLargeIsTold) {
+  const std::string far =
+      std::string("model x.mdl\n") + kPaintAndBone + "  box a 0,0,0 1,1,1\n  box a 0,90000,0 2,2,2\n";
+  const auto art = make_model_art(thing_of(far));
+  ASSERT_FALSE(art.ok());
+  EXPECT_EQ(art.error().message(),
+            "line 1: model: it reaches 90001 units from its origin, the farthest is 65536");
+  std::string many = kPaintAndBone;
+  for (int i = 0; i < 20; ++i) many += "  ball a 0,0,0 1,1,1 sides=40 rows=20\n";
+  EXPECT_EQ(error_of(many), "line 1: model: 30400 triangles; a model has at most 8192");
 }
 
 base::Result<std::vector<ArtFile>> art_of(const std::string& text) {
