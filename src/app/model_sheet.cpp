@@ -174,7 +174,8 @@ struct Studio {
 
 Studio set_up(const formats::Mdl& mdl, const std::vector<std::uint32_t>& frames) {
   Studio studio;
-  studio.lift.z = -box_of(mdl, 0).mins.z;
+  // Not with its origin in the floor, where there is no light.
+  studio.lift.z = std::max(1.0f, -box_of(mdl, 0).mins.z);
   for (const std::uint32_t frame : frames) studio.boxes.push_back(box_of(mdl, frame));
   return studio;
 }

@@ -86,6 +86,23 @@ TEST_F(ModelSheet, HasAColumnForEachFrameAndARowForEachView) {
   EXPECT_NEAR(side_height, height, 8);  // its front is nearer to the camera
 }
 
+TEST_F(ModelSheet, LightsModelsThatAreAboveTheirOrigin) {
+  const auto recipe = artgen::read_recipe(
+      "model progs/high.mdl\n  paint pale sand bright=0.7..0.9\n  bone a 0,0,20\n  box a 0,0,0 8,8,8\n");
+  ASSERT_TRUE(recipe.ok());
+  const auto art = artgen::make_model_art(recipe->front());
+  ASSERT_TRUE(art.ok());
+  model_ = folder_.write("progs/high.mdl", art->front().bytes);
+  options_.views = "front";
+  const auto red = [&](int light) {
+    options_.light = light;
+    const formats::Image image = drawn();
+    return image.pixels[std::size_t{50} * image.width + 50] >> 16 & 255;
+  };
+  EXPECT_GT(red(200), 100u);
+  EXPECT_LT(red(20), red(200) / 2);
+}
+
 TEST_F(ModelSheet, ShowsAModelAsTheWeaponInView) {
   options_.views = "hand";
   EXPECT_EQ(drawn().width, 300u);
