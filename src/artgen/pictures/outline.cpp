@@ -14,7 +14,8 @@ using math::Vec2d;
 
 double box_distance(Vec2d from_middle, Vec2d half) {
   const Vec2d out{std::abs(from_middle.x) - half.x, std::abs(from_middle.y) - half.y};
-  return std::hypot(std::max(out.x, 0.0), std::max(out.y, 0.0)) + std::min(std::max(out.x, out.y), 0.0);
+  const double x = std::max(out.x, 0.0), y = std::max(out.y, 0.0);
+  return std::sqrt(x * x + y * y) + std::min(std::max(out.x, out.y), 0.0);
 }
 
 double segment_distance(Vec2d place, Vec2d from, Vec2d to) {
@@ -125,11 +126,25 @@ Outline make_line(const std::vector<Vec2d>& points, double width, double flare) 
   return {distance, mins - reach, maxs + reach};
 }
 
+Outline make_ground(std::vector<double> tops, double bottom) {
+  const double highest = *std::min_element(tops.begin(), tops.end());
+  const auto width = static_cast<double>(tops.size() - 1);
+  const auto distance = [kept = std::move(tops)](Vec2d place) {
+    const auto last = static_cast<double>(kept.size() - 1);
+    const double x = std::clamp(place.x, 0.0, last - 1e-6);
+    const auto first = static_cast<std::size_t>(x);
+    const double slope = kept[first + 1] - kept[first];
+    return (kept[first] + slope * (x - std::floor(x)) - place.y) / std::hypot(1.0, slope);
+  };
+  return {distance, {0, highest}, {width, bottom}};
+}
+
 Outline make_blob(Vec2d middle, double radius, double rough, double lump, double seed) {
   const double reach = radius * (1 + rough);
   const auto distance = [=](Vec2d place) {
     const Vec2d out = place - middle;
     const double length = std::max(glm::length(out), 1e-6);
+    if (length > radius * (1 + 2 * rough)) return length - radius * (1 + 2 * rough);
     // On a cylinder, so that lumps go around without a seam; inwards they change, too.
     const math::Vec3d where{out.x / length / lump, out.y / length / lump, length / radius / lump / 2};
     const double wander = 2 * lump_noise(where, static_cast<std::uint64_t>(seed)) - 1;
@@ -159,7 +174,11 @@ Outline joined(std::vector<Outline> outlines) {
   }
   all.distance = [kept = std::move(outlines)](Vec2d place) {
     double nearest = 1e9;
-    for (const Outline& outline : kept) nearest = std::min(nearest, outline.distance(place));
+    for (const Outline& outline : kept) {
+      const Vec2d middle = (outline.mins + outline.maxs) * 0.5;
+      if (box_distance(place - middle, outline.maxs - middle) < nearest)
+        nearest = std::min(nearest, outline.distance(place));
+    }
     return nearest;
   };
   return all;

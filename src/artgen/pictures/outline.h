@@ -27,6 +27,8 @@ Outline make_polygon(std::vector<math::Vec2d> corners);  // at least 3
 Outline make_line(const std::vector<math::Vec2d>& points, double width, double flare);
 Outline make_trace(const std::vector<math::Vec2d>& points,
                    double width);  // the same, round; 2 points or more
+// What lies below a line from left to right, given by its heights at whole pixels from x = 0 on.
+Outline make_ground(std::vector<double> tops, double bottom);
 // A disc whose radius wanders by +- `rough` of itself, in lumps as long as `lump` radii.
 Outline make_blob(math::Vec2d middle, double radius, double rough, double lump, double seed);
 

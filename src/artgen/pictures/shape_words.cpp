@@ -169,13 +169,12 @@ Outline read_ridge(Asked& asked) {
   const double height = asked.arguments.number("height", 20, 0, kFar);
   const double hill = asked.arguments.number("hill", 40, 1, kFar);
   const auto seed = static_cast<std::uint64_t>(asked.seed());
-  std::vector<Vec2d> rim = {{asked.canvas_size.x + 2, asked.canvas_size.y + 2},
-                            {-2, asked.canvas_size.y + 2}};
-  for (double x = -2; x <= asked.canvas_size.x + 2; x += 0.75) {
+  std::vector<double> tops;
+  for (double x = 0; x <= asked.canvas_size.x + 2; ++x) {
     const double lump = lump_noise({x / hill, 0.5, 0.5}, seed);
-    rim.push_back({x, top + height * (1 - lump * 2 * (1 - std::abs(lump - 0.5)))});
+    tops.push_back(top + height * (1 - lump * 2 * (1 - std::abs(lump - 0.5))));
   }
-  return make_polygon(std::move(rim));
+  return make_ground(std::move(tops), asked.canvas_size.y + 1);
 }
 
 Outline read_fill(Asked& asked) {
