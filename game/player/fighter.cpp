@@ -216,8 +216,7 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   plan.aim_at = middle(edict);
   const float distance = glm::distance(plan.aim_at, self.eye());
   // What cannot be burst is only knocked down on the way.
-  plan.stands_and_fights =
-      (name != "monster_zombie" || has_bursting_weapon(self)) && self.water_level == 0;
+  plan.stands_and_fights = (name != "monster_zombie" || has_bursting_weapon(self)) && self.water_level == 0;
   const Weapon& wanted = choose_weapon(self, distance, name == "monster_zombie");
   if (wanted.bit != self.weapon && now_s - changed_weapon_s_ > kWeaponPause_s) {
     plan.impulse = wanted.impulse;
@@ -234,8 +233,7 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   plan.tolerance_deg = std::max(1.5f, std::atan2(14.0f, distance) * 57.3f);
   const bool is_axe = weapon.bit == 4096;
   plan.fires = distance < (is_axe ? 80.0f : weapon.farthest + 300) && !(weapon.bursts && distance < 120) &&
-               sees(world, self.entity, self.eye(), plan.aim_at) &&
-               is_shot_safe(io_game, self, plan.aim_at);
+               sees(world, self.entity, self.eye(), plan.aim_at) && is_shot_safe(io_game, self, plan.aim_at);
   if (is_axe) {
     const math::Vec3 way = plan.aim_at - self.origin;
     const float level = std::max(glm::length(math::Vec2(way)), 1.0f);

@@ -23,8 +23,8 @@ class MonsterWatch {
  private:
   struct Watched {
     std::string name;
-    math::Vec3 at{0.0f};         // where it was when it last did something
-    double since_s = 0;          // when that was
+    math::Vec3 at{0.0f};  // where it was when it last did something
+    double since_s = 0;   // when that was
     float health = 0;
     int stuck_looks = 0;         // in a row
     std::set<float> doings{};    // sequences of frames that it was in since then

@@ -71,20 +71,13 @@ std::vector<ArtPart> palette_parts() {
 
 std::span<const ArtMaker> art_makers() {
   static constexpr ArtMaker kMakers[] = {
-      {"animation", make_animation},
-      {"switch", make_switch},
-      {"texture", make_texture},
-      {"level", make_level},
-      {"model", make_model_art},
-      {"font", make_font},
-      {"picture", make_picture},
-      {"wadpicture", make_wad_picture},
-      {"pictures", make_pictures},
-      {"wadpictures", make_wad_pictures},
-      {"sprite", make_sprite},
-      {"icon", make_icon},
-      {"sound", make_sound_file},
-      {"music", make_music_file},
+      {"animation", make_animation}, {"switch", make_switch},
+      {"texture", make_texture},     {"level", make_level},
+      {"model", make_model_art},     {"font", make_font},
+      {"picture", make_picture},     {"wadpicture", make_wad_picture},
+      {"pictures", make_pictures},   {"wadpictures", make_wad_pictures},
+      {"sprite", make_sprite},       {"icon", make_icon},
+      {"sound", make_sound_file},    {"music", make_music_file},
   };
   return kMakers;
 }

@@ -104,8 +104,7 @@ TEST_P(Programs, NameOnlyFilesThatTheDataHolds) {
   EXPECT_GT(found, 150u);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Programs,
-                         ::testing::Values("id1", "homing_rockets", "flying_craft", "alerter"),
+INSTANTIATE_TEST_SUITE_P(All, Programs, ::testing::Values("id1", "homing_rockets", "flying_craft", "alerter"),
                          [](const auto& program) { return program.param; });
 
 // Every level of the data, by name.
