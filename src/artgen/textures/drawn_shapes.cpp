@@ -147,19 +147,20 @@ Cover cover_text(Layer& layer, const Surface& surface) {
   });
 }
 
-// trace at=0,32 size=64x20 beats=3 shift=0 width=1.5: a seismograph's line, still and then shaken, `beats`
-// times.
+// trace at=0,32 size=64x20 beats=3 shakes=5 shift=0 width=1.5: a seismograph's line, still and then shaken,
+// `beats` times.
 Cover cover_trace(Layer& layer, const Surface& surface) {
   const Point at = point(layer.arguments, "at", {0, surface.height / 2.0});
   const Point size = extent(layer.arguments, "size", {surface.width * 1.0, surface.height / 3.0});
   const std::int32_t beats = layer.arguments.integer("beats", 2, 1, 32);
+  const std::int32_t shakes = layer.arguments.integer("shakes", 5, 1, 64);
   const double shift = layer.arguments.number("shift", 0, -1024, 1024);
   const double width = layer.arguments.number("width", 1.5, 0.5, 16);
   const auto height_at = [&](double x) {
     const double along = wrapped((x - at.x - shift) / size.x, 1.0);
     const double beat = wrapped(along * beats, 1.0);
     const double shaken = std::exp(-18 * (beat - 0.45) * (beat - 0.45));
-    return at.y + size.y / 2 * shaken * std::sin(2 * std::numbers::pi * 5 * beat);
+    return at.y + size.y / 2 * shaken * std::sin(2 * std::numbers::pi * shakes * beat);
   };
   return cover_of(surface, [&](double x, double y) {
     if (x < at.x || x > at.x + size.x) return 0.0;

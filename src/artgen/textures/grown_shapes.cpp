@@ -31,8 +31,8 @@ Cover highest(Cover values, double cover, double scale) {
   return values;
 }
 
-// patches cover=0.3 lump=16 low=0: the share `cover` of the surface in lumps; low=1 rather in its hollows, -1
-// rather on its heights; down=1 rather at the bottom.
+// patches cover=0.3 lump=16 low=0 bottom=0: the share `cover` of the surface in lumps; low=1 rather in its
+// hollows, -1 rather on its heights; bottom=1 rather further down.
 Cover cover_patches(Layer& layer, const Surface& surface) {
   const double share = layer.arguments.number("cover", 0.3, 0, 1);
   const NoiseLumps lumps = noise_lumps(layer.arguments, surface, {16, 16}, 4);
@@ -160,16 +160,17 @@ Cover cover_strands(Layer& layer, const Surface& surface) {
   return cover;
 }
 
-// edges wear=1: what stands out from its surroundings by more than that, raggedly. hollows: what lies below.
+// edges by=0.3 uneven=0.3: what stands out from its surroundings by more than that, unevenly. hollows: what
+// lies below.
 Cover cover_bulges(Layer& layer, const Surface& surface, double sign) {
   const double by = layer.arguments.number("by", 0.3, 0, 16);
-  const double ragged = layer.arguments.number("ragged", 0.3, 0, 4);
+  const double uneven = layer.arguments.number("uneven", 0.3, 0, 4);
   const Cover heights = heights_of(surface);
   const Cover soft = softened(heights, 2);
   const Cover noise = noise_of(surface, noise_lumps(surface, {8, 8}, 3), layer.seed);
   Cover cover(surface.width, surface.height);
   for (std::size_t i = 0; i < cover.cells.size(); ++i)
-    cover.cells[i] = sign * (heights.cells[i] - soft.cells[i]) - by + 2 * ragged * (noise.cells[i] - 0.5);
+    cover.cells[i] = sign * (heights.cells[i] - soft.cells[i]) - by + 2 * uneven * (noise.cells[i] - 0.5);
   return cover;
 }
 Cover cover_edges(Layer& layer, const Surface& surface) {

@@ -44,8 +44,9 @@ std::optional<Point> two_numbers(std::string_view text, char between) {
 struct ShapeSettings {
   std::optional<Ramp> ramp;
   std::optional<double> tone;
-  double shade = 0;
+  double shade = 0, over = 1;
   double raise = 0, bevel = 1;
+  double ragged = 0;
   bool cut = false;
 };
 
@@ -61,6 +62,8 @@ ShapeSettings shape_settings(Arguments& arguments) {
     }
   }
   settings.shade = arguments.number("shade", 0, -1, 1);
+  settings.over = arguments.number("over", 1, 0.01, 256);
+  settings.ragged = arguments.number("ragged", 0, 0, 64);
   settings.raise = arguments.number("raise", 0, -64, 64);
   settings.bevel = arguments.number("bevel", 1, 0.01, 64);
   settings.cut = arguments.flag("cut");
@@ -68,13 +71,14 @@ ShapeSettings shape_settings(Arguments& arguments) {
 }
 
 // Shows what was painted where the shape covers it.
-void lay(const Cover& cover, const ShapeSettings& settings, const Surface& painted, Surface& io_surface) {
+void lay(const Cover& cover, const ShapeSettings& settings, std::uint64_t seed, const Surface& painted,
+         Surface& io_surface) {
   for (std::size_t i = 0; i < io_surface.cells.size(); ++i) {
     const double depth = cover.cells[i];
-    if (depth <= 0) continue;
+    if (depth <= 0 || depth < settings.ragged * hash_noise(static_cast<std::int32_t>(i), 0, seed)) continue;
     Texel& texel = io_surface.cells[i];
     texel = painted.cells[i];
-    texel.tone += settings.shade * std::min(depth, 1.0);
+    texel.tone += settings.shade * std::min(depth / settings.over, 1.0);
     texel.height += settings.raise * std::min(depth / settings.bevel, 1.0);
     if (settings.cut) texel.hole = true;
   }
@@ -98,7 +102,7 @@ base::Status paint_shape(const ShapeWord& word, const RecipeLine& line, std::uin
   Surface painted = io_surface;
   set_colour(settings, painted);
   TRY_STATUS(paint_layers(line.below, seed, painted));
-  lay(cover, settings, painted, io_surface);
+  lay(cover, settings, seed, painted, io_surface);
   return base::Ok{};
 }
 

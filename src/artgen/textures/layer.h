@@ -8,7 +8,8 @@
 //
 // Every shape word knows
 //   RAMP TONE    by place: the colour, or of the ramp alone, which keeps the tones
-//   shade=BY     adds to the tone, less so within a texel of the edge
+//   shade=BY over=TEXELS        adds to the tone, less so within so many texels of the edge (1)
+//   ragged=TEXELS               within so many texels of the edge, covers by chance only
 //   raise=TEXELS bevel=TEXELS   stands out (or lies deeper), reaching that so far from its edge
 //   cut=yes      makes holes; a painted shape fills them
 #pragma once

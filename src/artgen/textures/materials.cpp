@@ -58,11 +58,11 @@ void paint_speckle(Layer& layer, Surface& io_surface) {
         io_surface.at(x, y).tone += by * (2 * hash_noise(x, y, layer.seed + 1) - 1);
 }
 
-// grain by=0.1 lump=48x3 knots=0.3: fibres of wood, other ones in each board; knots bend them.
+// grain by=0.1 lump=3x48 bend=2: fibres of wood, other ones in each board, bent by so many texels.
 void paint_grain(Layer& layer, Surface& io_surface) {
   const double by = layer.arguments.number("by", 0.1, -1, 1);
   const double bend = layer.arguments.number("bend", 2, 0, 16);
-  NoiseLumps lumps = noise_lumps(layer.arguments, io_surface, {32, 3}, 3);
+  NoiseLumps lumps = noise_lumps(layer.arguments, io_surface, {3, 48}, 3);
   for (std::int32_t y = 0; y < io_surface.height; ++y)
     for (std::int32_t x = 0; x < io_surface.width; ++x) {
       Texel& texel = io_surface.at(x, y);
@@ -88,7 +88,7 @@ void paint_gradient(Layer& layer, Surface& io_surface) {
     }
 }
 
-// waves by=0.1 count=3: crossing swells, each a whole number of times in the texture.
+// waves by=0.1 count=3 most=4: crossing swells, each a whole number of times in the texture, at most so many.
 void paint_waves(Layer& layer, Surface& io_surface) {
   const double by = layer.arguments.number("by", 0.1, -1, 1);
   const std::int32_t count = layer.arguments.integer("count", 3, 1, 8);
@@ -108,7 +108,7 @@ void paint_waves(Layer& layer, Surface& io_surface) {
   }
 }
 
-// tones 0.2..0.8 [steps=4]: keeps the tones between two; in steps, as old paint.
+// tones keep=0.2..0.8: keeps the tones between two.
 void paint_tones(Layer& layer, Surface& io_surface) {
   const auto [lowest, highest] = layer.arguments.range("keep", {0, 1});
   for (Texel& texel : io_surface.cells) texel.tone = std::min(std::max(texel.tone, lowest), highest);

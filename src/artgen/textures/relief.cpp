@@ -46,7 +46,7 @@ void paint_relief(Layer& layer, Surface& io_surface) {
     }
 }
 
-// halo gold radius=8 by=0.3: what lies near full-bright texels is lit by them.
+// halo radius=8 by=0.3 ramp=gold: what lies near full-bright texels is lit by them.
 void paint_halo(Layer& layer, Surface& io_surface) {
   const double radius = layer.arguments.number("radius", 8, 1, 64);
   const double by = layer.arguments.number("by", 0.3, 0, 1);
