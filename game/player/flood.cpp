@@ -18,7 +18,7 @@ constexpr float kLeastJump_units = 40;
 constexpr float kJumpGain_units = 24;  // a jump that ends no higher than a fall there is none
 constexpr float kSwimStep_units = 24;
 constexpr float kClimbOut_units = 50;
-constexpr float kSameFloor_units = 10;
+constexpr float kSameFloor_units = 10, kSameDepth_units = 18;
 constexpr float kDeep_units = 4096;
 constexpr std::size_t kMaxAssignments = 24;
 constexpr float kHarmlessFall_units = 256;
@@ -300,9 +300,11 @@ void Flood::note_triggers(Place& io_place) const {
 
 std::optional<std::uint32_t> Flood::add_place(const math::Vec3& at, int mover, int state, bool swims) {
   std::vector<std::uint32_t>& cell = graph_.cells_[graph_.cell_of(at)];
+  const float same = swims ? kSameDepth_units : kSameFloor_units;
   for (const std::uint32_t i : cell) {
     const Place& known = graph_.places_[i];
-    if (known.mover == mover && known.state == state && std::abs(known.at.z - at.z) < kSameFloor_units)
+    if (known.mover == mover && known.state == state && known.swims == swims &&
+        std::abs(known.at.z - at.z) < same)
       return i;
   }
   if (graph_.places_.size() == limits_.places) return std::nullopt;
