@@ -13,12 +13,12 @@ namespace {
 
 namespace field = server::field;
 
-constexpr double kPlanEvery_s = 0.7, kCheckRouteEvery_s = 0.4, kItemsEvery_s = 1.2;
+constexpr double kPlanEvery_s = 2.5, kCheckRouteEvery_s = 0.4, kItemsEvery_s = 1.2;
 constexpr double kSettle_s = 0.4;
 constexpr double kForgiveAfter_s = 6;
 constexpr float kReachSlack_units = 4;
 constexpr int kAttackButton = 1, kJumpButton = 2;
-constexpr int kMostItemTries = 2;
+constexpr float kFleeHealth = 45, kFleeCost = 600;
 
 // Seconds that an act may take.
 double time_for(TaskKind kind) {
@@ -111,7 +111,9 @@ net::Move Brain::think(server::Game& io_game, std::optional<math::Vec3> view_deg
   if (fight) {
     haste = 2.2f;
     wanted = angles_towards(self.eye(), fight->aim_at);
-    if (steering.is_free && fight->stands_and_fights) {
+    // Badly wounded, with something in mind that helps, he fights on the way there.
+    const bool flees = self.health < kFleeHealth && is_side_task_ && task_ && task_->route.cost < kFleeCost;
+    if (steering.is_free && fight->stands_and_fights && !flees) {
       steering.velocity = fight->velocity;
       steering.jumps = false;
     }
@@ -225,7 +227,7 @@ void Brain::work(server::Game& io_game, const Self& self, double now_s, Steering
         is_side_task_ = true;
       }
   }
-  if (!task_ && can_plan && now_s - planned_s_ > (in_vain_since_s_ ? kPlanEvery_s : 0.05))
+  if (!task_ && can_plan && now_s - planned_s_ > (in_vain_since_s_ ? kPlanEvery_s : 0.2))
     find_work(io_game, self, now_s);
   if (!task_) return;
   if (phase_ == Phase::kWalk) {
@@ -249,7 +251,7 @@ void Brain::act(server::Game& io_game, const Self& self, double now_s, Steering&
     if (is_side_task_)
       ++tried_items_[static_cast<std::uint32_t>(task.entity)];
     else
-      planner_.note_use(task.entity);
+      planner_.note_vain(task.entity, self.origin);
     drop_task();
     return;
   }

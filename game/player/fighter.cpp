@@ -18,7 +18,7 @@ constexpr double kVain_s = 7, kIgnore_s = 12;
 constexpr float kStrafeSpeed = 320;
 constexpr float kProbe_units = 56;
 constexpr float kTooClose_units = 190, kFarForShot_units = 480;
-constexpr double kWeaponPause_s = 0.5;
+constexpr double kWeaponPause_s = 0.5, kMotion_s = 0.2;
 
 struct Weapon {
   int bit = 0, impulse = 0;
@@ -186,6 +186,16 @@ math::Vec3 Fighter::choose_way(server::Game& io_game, const Self& self, const ma
   return math::Vec3(0.0f);
 }
 
+// Over a fifth of a second: monsters go by steps.
+void Fighter::note_motion(const math::Vec3& at, double now_s, Grudge& io_grudge) {
+  const double passed_s = now_s - io_grudge.seen_s;
+  if (passed_s < kMotion_s) return;
+  io_grudge.velocity =
+      passed_s < 3 * kMotion_s ? (at - io_grudge.seen_at) / static_cast<float>(passed_s) : math::Vec3(0.0f);
+  io_grudge.seen_at = at;
+  io_grudge.seen_s = now_s;
+}
+
 std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self, double now_s) {
   server::GameWorld& world = io_game.world();
   if (now_s - chosen_s_ > kChooseEvery_s) {
@@ -201,7 +211,8 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   Grudge& grudge = grudges_[static_cast<std::uint32_t>(*enemy_)];
   if (now_s - grudge.hit_s > kVain_s && now_s - grudge.since_s > kVain_s && grudge.since_s > 0) {
     if (grudge.health <= edict[field::kHealth] && now_s - grudge.since_s < 3 * kVain_s) {
-      grudge = {.ignored_until_s = now_s + kIgnore_s};
+      grudge = Grudge();
+      grudge.ignored_until_s = now_s + kIgnore_s;
       enemy_.reset();
       return std::nullopt;
     }
@@ -210,6 +221,7 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   if (grudge.since_s == 0) grudge.since_s = grudge.hit_s = now_s;
   if (edict[field::kHealth] < grudge.health) grudge.hit_s = now_s;
   grudge.health = edict[field::kHealth];
+  note_motion(edict[field::kOrigin], now_s, grudge);
 
   const std::string name = class_name(io_game, *enemy_);
   FightPlan plan{.enemy = *enemy_};
@@ -225,8 +237,7 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   const Weapon& weapon = in_hand(self);
   if (weapon.missile_speed > 0) {
     const float flight_s = distance / weapon.missile_speed;
-    const math::Vec3 velocity = edict[field::kVelocity];
-    plan.aim_at += math::Vec3(velocity.x, velocity.y, 0) * flight_s;
+    plan.aim_at += math::Vec3(grudge.velocity.x, grudge.velocity.y, 0) * flight_s;
     if (weapon.bit == 16) plan.aim_at.z += distance * 0.12f;
     if (weapon.bit == 32 && distance > 250) plan.aim_at.z -= 16;  // its feet
   }

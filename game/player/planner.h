@@ -44,10 +44,14 @@ class Planner {
   Task task_for(TaskKind kind, vm::EntityIndex entity);
   // It was done, or tried in vain.
   void note_use(vm::EntityIndex entity) { ++uses_[static_cast<std::uint32_t>(entity)]; }
+  // In vain, from there: other places are tried first.
+  void note_vain(vm::EntityIndex entity, const math::Vec3& from);
   int uses(vm::EntityIndex entity) const;
 
  private:
   std::optional<Task> plan_inner(std::uint32_t from, Task goal, std::vector<int>& io_visited);
+  void leave_out_vain(Task& io_task) const;
+  void note_dead_end(const Task& goal, bool is_detour);
   std::vector<Task> ways_to_open(int mover);
   void add_firing(const std::string& name, int depth, std::vector<Task>& io_tasks,
                   std::vector<int>& io_doors);
@@ -62,6 +66,7 @@ class Planner {
   Router* router_;
   int items_ = 0;
   std::map<std::uint32_t, int> uses_;
+  std::map<std::uint32_t, std::vector<math::Vec3>> vain_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> shooting_places_;
   std::vector<std::string> why_not_;
 };

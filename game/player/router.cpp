@@ -103,6 +103,20 @@ std::optional<Route> Router::find(std::uint32_t from, std::span<const std::uint3
   return route;
 }
 
+std::optional<math::Vec3> Router::nearest_reached(const math::Bounds& box) const {
+  std::optional<math::Vec3> best;
+  float best_distance = kUnreached;
+  for (std::size_t i = 0; i < costs_.size(); ++i) {
+    if (costs_[i] >= kUnreached) continue;
+    const math::Vec3& at = graph_->places()[i].at;
+    const float distance = glm::distance(at, glm::clamp(at, box.mins, box.maxs));
+    if (distance >= best_distance) continue;
+    best_distance = distance;
+    best = at;
+  }
+  return best;
+}
+
 std::span<const float> Router::costs_from(std::uint32_t from, const RouteRules& rules) {
   search(from, rules);
   return costs_;

@@ -34,6 +34,8 @@ class Router {
                             const RouteRules& rules = {});
   // Costs to all places, 1e9f where there is no way; valid until the next search.
   std::span<const float> costs_from(std::uint32_t from, const RouteRules& rules = {});
+  // Of the places that the last search has reached the one nearest to that box, in space.
+  std::optional<math::Vec3> nearest_reached(const math::Bounds& box) const;
   // A way that did not work costs more from now on.
   void blame(std::uint32_t from, std::uint32_t to, float cost);
   void forgive() { blamed_.clear(); }

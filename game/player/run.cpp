@@ -32,6 +32,7 @@ class Run {
     map_ = LevelMap::make(session_->game());
     report_.places = map_->graph.places().size();
     report_.ways = map_->graph.ways();
+    if (setup_.lists_places) list_places();
     make_brains();
     monsters_.emplace(session_->game());
     play_on();
@@ -49,6 +50,17 @@ class Run {
                                                            .fights = setup_.fights,
                                                            .waypoints = setup_.waypoints,
                                                            .exit_map = setup_.exit_map}));
+  }
+
+  void list_places() {
+    for (const Place& place : map_->graph.places())
+      report_.place_list += fmt::format(
+          "{:.0f} {:.0f} {:.0f} {}\n", place.at.x, place.at.y, place.at.z,
+          place.swims ? "water"
+          : place.mover < 0
+              ? "floor"
+              : fmt::format("{} state {}", map_->facts.movers[static_cast<std::size_t>(place.mover)].describe,
+                            place.state));
   }
 
   RunReport failed() {

@@ -164,7 +164,7 @@ WalkEnd Walker::walk(server::Game& io_game, const Self& self, double now_s, Stee
     return lose(0);
   if (!is_plain(index_) && was_in_air_ && !is_in_air && way.kind != WayKind::kRide &&
       way.kind != WayKind::kClimbOut)
-    return lose(200);
+    return lose(way.kind == WayKind::kJump || way.kind == WayKind::kHop ? 1500.0f : 300.0f);
   if (now_s - passed_s_ > (waits ? kLongestWait_s : kLongestWay_s)) return lose(3000);
 
   if (is_plain(index_))
