@@ -321,7 +321,7 @@ TEST(Plans, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_EQ(error_of("  room a 0,0,0 size 64x64x64\n  room b 0,0,100 size 64x64x64\n  opening a b\n"),
             "line 4: opening: the rooms have no walls that face each other");
   EXPECT_EQ(error_of("  group g\n    place g 0,0,0\n  place g 0,0,0\n"),
-            "line 3: place: there is no group 'g' above this line");
+            "line 3: place: there is no group 'g'");
   EXPECT_EQ(error_of(""), "line 1: level: it has no room");
 }
 

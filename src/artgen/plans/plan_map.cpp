@@ -152,9 +152,19 @@ std::vector<Obstacle> obstacles_of(const Plan& plan) {
   return obstacles;
 }
 
-base::Error standing_error(const Thing& thing, std::string_view what) {
-  return base::malformed("line {}: {} {}: at {},{},{} {}", thing.line, thing.word, thing.fields.classname(),
-                         thing.origin.x, thing.origin.y, thing.origin.z, what);
+// What is wrong with where a thing stands; empty when nothing is.
+std::string standing_fault(const Thing& thing, const std::vector<Space>& spaces,
+                           const std::vector<Obstacle>& obstacles) {
+  const Box needs = thing.needs.has_volume() ? thing.needs : Box{thing.origin - 1, thing.origin + 1};
+  std::string fault;
+  if (!is_open(spaces, needs)) fault = "it reaches into the rock";
+  for (const Obstacle& obstacle : obstacles)
+    if (fault.empty() && common(obstacle.bounds, needs).has_volume() && overlap(obstacle.hull, needs))
+      fault = fmt::format("it is in what line {} puts there ({})", obstacle.line,
+                          base::quotable(obstacle.texture));
+  if (fault.empty()) return fault;
+  return fmt::format("line {}: {} {}: at {},{},{} {}", thing.line, thing.word, thing.fields.classname(),
+                     thing.origin.x, thing.origin.y, thing.origin.z, fault);
 }
 
 }  // namespace
@@ -164,6 +174,7 @@ base::Result<Plan> read_plan(const RecipeLine& level) {
   const Scope outside;
   Scope scope;
   TRY_STATUS(read_level_line(level, outside, plan, scope));
+  TRY_STATUS(collect_groups(level.below, plan));
   TRY_STATUS(read_lines(level.below, scope, plan));
   if (plan.spaces.empty()) return recipe_error(level, "it has no room");
   return plan;
@@ -188,16 +199,18 @@ formats::Map map_of_plan(const Plan& plan) {
 }
 
 base::Status check_plan(const Plan& plan) {
+  constexpr int kMostTold = 8;
   const std::vector<Obstacle> obstacles = obstacles_of(plan);
+  std::string faults;
+  int count = 0;
   for (const Thing& thing : plan.things) {
     if (thing.line < 0) continue;
-    const Box needs = thing.needs.has_volume() ? thing.needs : Box{thing.origin - 1, thing.origin + 1};
-    if (!is_open(plan.spaces, needs)) return standing_error(thing, "it reaches into the rock");
-    for (const Obstacle& obstacle : obstacles)
-      if (common(obstacle.bounds, needs).has_volume() && overlap(obstacle.hull, needs))
-        return standing_error(thing, fmt::format("it is in what line {} puts there ({})", obstacle.line,
-                                                 base::quotable(obstacle.texture)));
+    const std::string fault = standing_fault(thing, plan.spaces, obstacles);
+    if (fault.empty() || ++count > kMostTold) continue;
+    faults += fmt::format("{}{}", faults.empty() ? "" : "; ", fault);
   }
+  if (count > kMostTold) faults += fmt::format("; and {} more", count - kMostTold);
+  if (count > 0) return base::malformed("{}", faults);
   return base::Ok{};
 }
 

@@ -23,6 +23,9 @@ std::span<const PlanWord> rock_words();   // caves, boulders, crystals, bands al
 std::span<const PlanWord> mover_words();  // doors, lifts, trains, buttons, triggers
 std::span<const PlanWord> thing_words();  // lights, monsters, items, starts
 
+// The groups among the level's own lines, which may stand below those that place them.
+base::Status collect_groups(const std::vector<RecipeLine>& lines, Plan& io_plan);
+
 // The lines of one scope, in order.
 base::Status read_lines(const std::vector<RecipeLine>& lines, const Scope& scope, Plan& io_plan);
 

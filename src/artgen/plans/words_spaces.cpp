@@ -222,13 +222,11 @@ base::Status read_opening(const RecipeLine& recipe, const Scope& scope, Plan& io
   return read_lines(recipe.below, {placement, hole.size(), surfaces, scope.copy}, io_plan);
 }
 
-base::Status read_group(const RecipeLine& recipe, const Scope& scope, Plan& io_plan) {
+// Known already: collect_groups.
+base::Status read_group(const RecipeLine& recipe, const Scope& scope, Plan&) {
   PlanLine line(recipe, scope);
-  const std::string name = line.word();
-  TRY_STATUS(line.finish());
-  if (!io_plan.groups.emplace(name, &recipe).second)
-    return recipe_error(recipe, fmt::format("there is a group '{}' already", base::quotable(name)));
-  return base::Ok{};
+  line.word();
+  return line.finish();
 }
 
 Scope copied(const Scope& scope, const std::string& copy) {
@@ -251,10 +249,8 @@ base::Status read_place(const RecipeLine& recipe, const Scope& scope, Plan& io_p
   TRY_STATUS(line.finish());
   const auto group = io_plan.groups.find(name);
   if (group == io_plan.groups.end())
-    return recipe_error(recipe, fmt::format("there is no group '{}' above this line", base::quotable(name)));
+    return recipe_error(recipe, fmt::format("there is no group '{}'", base::quotable(name)));
   scope_inner.placement = scope.placement * inner;
-  if (line.scope().copy.size() > 64)
-    return recipe_error(recipe, "groups are placed in each other without end");
   const RecipeLine* lines = group->second;
   io_plan.groups.erase(group);  // so that it can't hold itself
   const base::Status read = read_lines(lines->below, scope_inner, io_plan);
@@ -307,6 +303,16 @@ constexpr PlanWord kSpaceWords[] = {
 };
 
 }  // namespace
+
+base::Status collect_groups(const std::vector<RecipeLine>& lines, Plan& io_plan) {
+  for (const RecipeLine& line : lines) {
+    if (line.word != "group" || line.values.empty()) continue;
+    if (!io_plan.groups.emplace(line.values.front(), &line).second)
+      return recipe_error(line,
+                          fmt::format("there is a group '{}' already", base::quotable(line.values.front())));
+  }
+  return base::Ok{};
+}
 
 std::span<const PlanWord> space_words() {
   return kSpaceWords;

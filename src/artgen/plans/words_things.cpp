@@ -159,9 +159,11 @@ base::Status read_lamp(const RecipeLine& recipe, const Scope& scope, Plan& io_pl
   const Side side = line.side();
   const bool on_wall = axis_of(side) < 2;
   const int size = line.whole("size", on_wall ? 16 : 32, 4, 256);
-  const int tall = line.whole("tall", on_wall ? 24 : 8, 2, 512), deep = line.whole("deep", 8, 1, 64);
+  const int tall = line.whole("tall", on_wall ? 32 : 8, 2, 512), deep = line.whole("deep", 8, 1, 64);
   const int hang = line.whole("hang", 0, 0, 2048);
-  const std::string texture = line.text("texture", "light1"), rod = line.text("rod", "metal1");
+  const std::string texture = line.text("texture", on_wall ? "lamp1" : "light3");
+  const std::string rod = line.text("rod", "metal1");
+  const double scale = line.number("scale", on_wall ? 0.5 : 1, 0.125, 8);
   Point at = on_wall ? line.place_on_wall(side) : line.place();
   if (side == Side::kUp && !recipe.values.empty() && at.z == 0) at.z = scope.size.z;
   const double bright = brightness(line, 200);
@@ -184,7 +186,9 @@ base::Status read_lamp(const RecipeLine& recipe, const Scope& scope, Plan& io_pl
     box.high.z = at.z + tall;
     source.z = box.high.z + 12;
   }
-  std::vector<Solid> solids = {solid_of(line, box, looks_all(texture, line.to_world(box)))};
+  Looks looks = looks_all(texture, line.to_world(box));
+  for (Look& look : looks) look.scale = math::Vec2d(scale);
+  std::vector<Solid> solids = {solid_of(line, box, looks)};
   if (hang > 0) {
     const Box bar{{at.x - 2, at.y - 2, at.z - hang}, {at.x + 2, at.y + 2, at.z}};
     solids.push_back(solid_of(line, bar, looks_all(rod, line.to_world(bar))));
