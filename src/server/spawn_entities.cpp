@@ -21,7 +21,9 @@ bool is_left_out(int spawn_flags, const SpawnRules& rules) {
 
 // Keys of the world that are for the map's compiler or for clients: a program without them lacks nothing.
 bool is_of_others(std::string_view key) {
-  constexpr std::array<std::string_view, 6> kKeys = {"wad", "mapversion", "fog", "sky", "skyname", "skybox"};
+  constexpr std::array<std::string_view, 10> kKeys = {"wad",        "mapversion", "fog",        "sky",
+                                                      "skyname",    "skybox",     "wateralpha", "lavaalpha",
+                                                      "slimealpha", "telealpha"};
   return key.empty() || key.front() == '_' || key.starts_with("//") ||
          std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
 }

@@ -19,7 +19,7 @@ constexpr Fit kBoxItem{{-16, -16, 0}, {-15, -15, 1}, {15, 15, 32}};  // its orig
 constexpr Fit kPickedUp{{0, 0, 0}, {-15, -15, 1}, {15, 15, 32}};     // weapons, armour
 constexpr Fit kHovering{{0, 0, 24}, {-15, -15, 1}, {15, 15, 48}};    // keys, artifacts
 constexpr Fit kSmall{{0, 0, 24}, {-16, -16, 1}, {16, 16, 56}};       // as large as a player
-constexpr Fit kLarge{{0, 0, 24}, {-32, -32, 1}, {32, 32, 80}};       // as large as an ogre
+constexpr Fit kLarge{{0, 0, 24}, {-32, -32, 1}, {32, 32, 88}};       // as large as an ogre
 
 struct Kind {
   std::string_view name, classname;

@@ -1,0 +1,60 @@
+// The shipped levels, run for a while by the server's own game: all stands well, all names lead somewhere.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "game/played_level.h"
+
+namespace temblor::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "quakec/progs.dat";
+
+std::filesystem::path shipped_base() {
+  const char* elsewhere = std::getenv("TEMBLOR_SHIPPED_BASE");
+  return elsewhere != nullptr ? elsewhere : TEMBLOR_GAMES;
+}
+
+std::vector<std::string> shipped_levels() {
+  std::vector<std::string> names;
+  const std::filesystem::path folder = std::filesystem::path(TEMBLOR_GAMES) / "id1/maps";
+  if (std::filesystem::is_directory(folder))
+    for (const auto& file : std::filesystem::directory_iterator(folder))
+      if (file.path().extension() == ".bsp" && !file.path().filename().string().starts_with("b_"))
+        names.push_back(file.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void run_a_while(const std::string& name, const PlayedSettings& settings) {
+  SCOPED_TRACE(name + (settings.kind == server::GameKind::kSingle ? " alone, skill " : ", skill ") +
+               std::to_string(settings.skill));
+  PlayedLevel game(shipped_base(), name, kProgs, settings);
+  for (std::uint32_t slot = 0; slot < settings.players; ++slot) game.join(slot);
+  game.run(4);
+  EXPECT_THAT(game.errors(), IsEmpty());
+  EXPECT_THAT(game.notes(), IsEmpty());
+  EXPECT_THAT(game.printed(), Not(HasSubstr("is stuck")));
+  EXPECT_THAT(game.printed(), Not(HasSubstr("finds no floor")));
+  EXPECT_THAT(game.printed(), Not(HasSubstr("stands in the air")));
+  EXPECT_THAT(game.printed(), Not(HasSubstr("no entity is named")));
+}
+
+TEST(ShippedLevels, StandWellInEveryGame) {
+  if (!std::filesystem::exists(shipped_base() / "id1/progs/player.mdl") || shipped_levels().empty())
+    GTEST_SKIP() << "the shipped game is not built whole";
+  for (const std::string& name : shipped_levels()) {
+    for (int skill = 0; skill < 3; ++skill) run_a_while(name, {.skill = skill});
+    run_a_while(name, {.kind = server::GameKind::kCooperative, .players = 4});
+    run_a_while(name, {.kind = server::GameKind::kDeathmatch, .players = 8});
+  }
+}
+
+}  // namespace
+}  // namespace temblor::test
