@@ -34,7 +34,7 @@ install: shipped
 shipped:
 	tools/setup.sh build
 	cmake --preset release
-	cmake --build --preset release --target temblor game
+	cmake --build --preset release --target temblor shipped_game
 
 format:
 	$(SOURCES) | xargs clang-format-14 -i

@@ -14,7 +14,7 @@ set(textures_wad "${maps_work}/textures.wad")
 add_custom_command(
   OUTPUT "${textures_wad}"
   COMMAND temblor art "${CMAKE_CURRENT_SOURCE_DIR}/art/textures" -o "${maps_work}"
-  DEPENDS ${texture_recipes} temblor
+  DEPENDS ${texture_recipes} "$<TARGET_FILE:temblor_artgen>"
   COMMENT "Textures"
   VERBATIM)
 
@@ -27,7 +27,7 @@ foreach(recipe IN LISTS map_recipes)
   add_custom_command(
     OUTPUT "${map}"
     COMMAND temblor art "${recipe}" -o "${maps_work}"
-    DEPENDS "${recipe}" temblor
+    DEPENDS "${recipe}" "$<TARGET_FILE:temblor_artgen>"
     COMMENT "Plan ${name}"
     VERBATIM)
   add_custom_command(

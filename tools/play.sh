@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 tools/setup.sh build
 if [ ! build/release/build.ninja -nt CMakePresets.json ]; then cmake --preset release >/dev/null; fi
 targets=(temblor)
-if command -v fteqcc >/dev/null; then targets+=(game); fi
+if command -v fteqcc >/dev/null; then targets+=(shipped_game); fi
 cmake --build --preset release --target "${targets[@]}"
 program=build/release/temblor
 

@@ -122,7 +122,8 @@ TEST(Plans, RoomsOfAnyShapeCompileWithoutALeak) {
   for (std::uint64_t seed = 1; seed <= test::effort(30, 4); ++seed) {
     const RandomRooms rooms = random_rooms(seed);
     const Point middle = (rooms.boxes[0].low + rooms.boxes[0].high) / 2;
-    const std::string start = fmt::format("  entity info_player_start {},{},{}\n", middle.x, middle.y, middle.z);
+    const std::string start =
+        fmt::format("  entity info_player_start {},{},{}\n", middle.x, middle.y, middle.z);
     const base::Result<std::string> text = map_text(rooms.lines + start);
     ASSERT_TRUE(text.ok()) << "seed " << seed;
     compiler::Warnings warnings;
@@ -130,7 +131,8 @@ TEST(Plans, RoomsOfAnyShapeCompileWithoutALeak) {
     ASSERT_TRUE(draft.ok()) << "seed " << seed;
     EXPECT_FALSE(draft->leak) << "seed " << seed;
     EXPECT_FALSE(draft->clip_hulls_leak) << "seed " << seed;
-    for (const compiler::Warning& warning : warnings) ADD_FAILURE() << "seed " << seed << ": " << warning.what;
+    for (const compiler::Warning& warning : warnings)
+      ADD_FAILURE() << "seed " << seed << ": " << warning.what;
   }
 }
 
@@ -251,9 +253,8 @@ TEST(Plans, RockLeavesOpeningsFree) {
       "    cave rock rough=60 seed=5\n"
       "  room b 528,0,0 to 800,512,256\n"
       "  opening a b width=96 height=96\n");
-  for (int y = 210; y < 302; y += 10)
-    for (int x = 440; x < 540; x += 10)
-      EXPECT_FALSE(is_solid(map, {x + 0.5, y + 0.5, 60.5})) << x << " " << y;
+  for (int y = 209; y < 304; y += 5)
+    for (int x = 440; x < 540; x += 3) EXPECT_FALSE(is_solid(map, {x + 0.5, y + 0.5, 60.5})) << x << " " << y;
   int bulging = 0;
   for (int y = 4; y < 512; y += 20)
     for (int z = 40; z < 256; z += 20) bulging += is_solid(map, {4.5, y + 0.5, z + 0.5}) ? 1 : 0;

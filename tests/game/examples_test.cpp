@@ -48,7 +48,7 @@ float health_after_rocket(const std::filesystem::path& data, std::string_view pr
 
 TEST(Examples, RocketsThatHomeTurnAfterTheirPrey) {
   DATA_FOLDER_OR_SKIP(data);
-  EXPECT_LT(health_after_rocket(data, "homing_rockets"), health_after_rocket(data, "quakec"));
+  EXPECT_LT(health_after_rocket(data, "homing_rockets"), health_after_rocket(data, "id1"));
 }
 
 TEST(Examples, TheCraftFliesWhereItsPilotLooks) {

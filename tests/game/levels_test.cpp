@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 namespace field = server::field;
 
-const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "quakec/progs.dat";
+const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
 
 class Levels : public ::testing::TestWithParam<std::string> {};
 

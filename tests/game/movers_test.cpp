@@ -13,7 +13,7 @@ namespace {
 using ::testing::IsEmpty;
 namespace field = server::field;
 
-const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "quakec/progs.dat";
+const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
 
 math::Vec3 middle(server::Edict edict) {
   return (edict[field::kAbsMin] + edict[field::kAbsMax]) * 0.5f;

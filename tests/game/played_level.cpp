@@ -48,6 +48,10 @@ void PlayedLevel::join(std::uint32_t slot) {
   inputs_[slot].is_active = true;
 }
 
+void PlayedLevel::set(std::string_view variable, std::string_view value) {
+  check(variables_.set(std::string(variable), std::string(value)), "set");
+}
+
 void PlayedLevel::tick() {
   check(game_->tick(inputs_), "tick");
   for (server::PlayerInput& input : inputs_) input.impulse = 0;

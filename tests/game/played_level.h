@@ -39,6 +39,9 @@ class PlayedLevel {
   const std::string& commands() const { return game_->requests().commands; }
 
   void join(std::uint32_t slot);
+  // A variable of the server, from now on.
+  void set(std::string_view variable, std::string_view value);
+  bool is_bot(std::uint32_t slot) const { return game_->is_bot(slot); }
   server::PlayerInput& input(std::uint32_t slot) { return inputs_[slot]; }
   void tick();
   void run(double seconds);

@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 namespace field = server::field;
 
-const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "quakec/progs.dat";
+const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
 
 struct Weapon {
   const char* name;

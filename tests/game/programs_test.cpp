@@ -69,7 +69,7 @@ TEST_P(Programs, HaveWhatTheEngineCalls) {
 }
 
 TEST_P(Programs, CompileWithoutAWarning) {
-  const std::string folder = GetParam() == "quakec" ? GetParam() : "examples/" + GetParam();
+  const std::string folder = GetParam() == "id1" ? "quakec" : "examples/" + GetParam();
   const std::string said = read_text(kGames / "source" / folder / "compile.txt");
   EXPECT_THAT(said, ::testing::HasSubstr("\n0 warnings"));
   EXPECT_THAT(said, ::testing::Not(::testing::HasSubstr("warning:")));
@@ -102,7 +102,7 @@ TEST_P(Programs, NameOnlyFilesThatTheDataHolds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Programs,
-                         ::testing::Values("quakec", "homing_rockets", "flying_craft", "alerter"),
+                         ::testing::Values("id1", "homing_rockets", "flying_craft", "alerter"),
                          [](const auto& program) { return program.param; });
 
 // Every level of the data, by name.
@@ -121,7 +121,7 @@ std::map<std::string, std::vector<formats::Entity>> stock_levels(const std::file
 
 TEST(Game, HasASpawnFunctionForEveryClassOfTheStockLevels) {
   DATA_FOLDER_OR_SKIP(data);
-  const ProgramFile game = read_program_file(kGames / "quakec/progs.dat");
+  const ProgramFile game = read_program_file(kGames / "id1/progs.dat");
   std::set<std::string> unknown;
   std::size_t seen = 0;
   for (const auto& [level, entities] : stock_levels(data))
@@ -137,7 +137,7 @@ TEST(Game, HasASpawnFunctionForEveryClassOfTheStockLevels) {
 // Keys are fields; what has none is the compiler's, or a tool's, and known as such.
 TEST(Game, HasAFieldForEveryKeyOfTheStockLevelsThatMatters) {
   DATA_FOLDER_OR_SKIP(data);
-  const ProgramFile game = read_program_file(kGames / "quakec/progs.dat");
+  const ProgramFile game = read_program_file(kGames / "id1/progs.dat");
   const std::set<std::string> compilers = {"angle", "light", "mapversion", "wad",
                                            "fog",   "sky",   "wateralpha", "credits_"};
   std::set<std::string> unknown;
@@ -152,7 +152,7 @@ TEST(Game, HasAFieldForEveryKeyOfTheStockLevelsThatMatters) {
 
 TEST(Game, FunctionsThatLevelsNameAreThere) {
   DATA_FOLDER_OR_SKIP(data);
-  const ProgramFile game = read_program_file(kGames / "quakec/progs.dat");
+  const ProgramFile game = read_program_file(kGames / "id1/progs.dat");
   std::size_t named = 0;
   for (const auto& [level, entities] : stock_levels(data))
     for (const formats::Entity& entity : entities)

@@ -11,7 +11,7 @@ RoomData::RoomData(const std::string& map_text, HasTremor has_tremor) {
   CHECK(!result.leak, "the room leaks");
   for (formats::BspMiptex& texture : result.draft.bsp.miptexes) texture.name.clear();
   folder_.write("id1/maps/room.bsp", formats::write_bsp(result.draft.bsp, formats::BspVersion::k29).value());
-  const ProgramFile game = read_program_file(std::filesystem::path(TEMBLOR_GAMES) / "quakec/progs.dat");
+  const ProgramFile game = read_program_file(std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat");
   for (const std::string& name : game.strings) {
     const bool is_model = name.starts_with("progs/") && (name.ends_with(".mdl") || name.ends_with(".spr"));
     const bool is_left_out = name.find("tremor") != std::string::npos && has_tremor == HasTremor::kNo;

@@ -71,6 +71,8 @@ Shown show(const Model& model, const Animation& animation, std::int32_t frame) {
     for (const Vec3d& place : shown.places) lowest = std::min(lowest, place.z);
     for (Vec3d& place : shown.places) place.z += model.floor - lowest;
   }
+  const Vec3d middle(0, 0, model.floor);
+  for (Vec3d& place : shown.places) place = middle + (place - middle) * model.size;
   return shown;
 }
 

@@ -20,6 +20,7 @@ struct Model {
   std::string path;
   double density = 2;  // texels a unit
   double floor = -24;  // where what settles lies
+  double size = 1;     // everything grows from the middle of the floor; gaits keep their speed
   math::Vec3 eye{0.0f};
   std::uint32_t flags = 0;  // formats::MdlFlags
   bool random_phase = false;

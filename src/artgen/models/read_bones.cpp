@@ -89,8 +89,8 @@ base::Status read_limb(const RecipeLine& line, Model& io_model) {
   for (const std::string& end : sides_of(name)) {
     Limb limb;
     TRY(limb.end, find_bone(line, io_model.skeleton, end));
-    // A left elbow points left.
-    const double outwards = is_grip && end.ends_with("_r") ? -1 : side;
+    // As a left one is said, a right one is mirrored.
+    const double outwards = end.ends_with("_r") ? -1 : 1;
     limb.bend = {bend.x, bend.y * outwards, bend.z};
     if (is_grip) {
       TRY(limb.grip_on, find_bone(line, io_model.skeleton, on));

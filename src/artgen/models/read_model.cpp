@@ -28,6 +28,7 @@ base::Status read_head_line(const RecipeLine& thing, Model& io_model) {
   if (!io_model.path.ends_with(".mdl")) arguments.complain("the first value is the model's file, NAME.mdl");
   io_model.density = arguments.number("density", 2, 0.1, 32);
   io_model.floor = arguments.number("floor", -24, -4096, 4096);
+  io_model.size = arguments.number("size", 1, 0.05, 20);
   io_model.eye = arguments.vector("eye", math::Vec3(0.0f));
   io_model.random_phase = arguments.flag("random_phase");
   return arguments.finish();

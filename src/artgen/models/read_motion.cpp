@@ -119,6 +119,11 @@ void add_keys(std::vector<KeyLine> lines, const Model& model, Animation& io_anim
                    [](const KeyLine& a, const KeyLine& b) { return a.frame < b.frame; });
   ChannelValues all;
   for (const KeyLine& line : lines) all.insert(line.values.begin(), line.values.end());
+  // Where a key says everything, the stance says nothing.
+  const auto stance = model.poses.find("stance");
+  const bool any_whole =
+      std::any_of(lines.begin(), lines.end(), [](const KeyLine& line) { return line.whole; });
+  if (any_whole && stance != model.poses.end()) all.insert(stance->second.begin(), stance->second.end());
   for (const KeyLine& line : lines) {
     for (const auto& [channel, unused] : all) {
       const auto value = line.values.find(channel);
@@ -136,7 +141,7 @@ void add_keys(std::vector<KeyLine> lines, const Model& model, Animation& io_anim
 base::Status read_gait(const RecipeLine& line, const Model& model, Animation& io_animation) {
   Arguments arguments(line);
   Gait gait;
-  gait.speed = arguments.number("speed", 0, -1000, 1000);
+  gait.speed = arguments.number("speed", 0, -1000, 1000) / model.size;
   gait.cycles = arguments.number("cycles", 1, 1, 100);
   gait.duty = arguments.number("duty", 0.6, 0.05, 0.95);
   gait.lift = arguments.number("lift", 4, 0, 1000);

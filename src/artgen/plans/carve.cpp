@@ -69,6 +69,10 @@ Border border_of(std::span<const Space> spaces, const Box& piece, Side side) {
   return border;
 }
 
+bool is_sky(const Look& look) {
+  return look.texture.starts_with("sky");
+}
+
 // The looks of a piece, or where to cut it so that each of its sides has one.
 std::optional<std::pair<Box, Box>> look_around(std::span<const Space> spaces, const Box& piece,
                                                Looks& io_looks) {
@@ -79,10 +83,6 @@ std::optional<std::pair<Box, Box>> look_around(std::span<const Space> spaces, co
     io_looks[index_of(side)] = border.space->walls[index_of(opposite(side))];
   }
   return {};
-}
-
-bool is_sky(const Look& look) {
-  return look.texture.starts_with("sky");
 }
 
 // A slab of the space's side; wide enough to hold the corners.
@@ -98,6 +98,25 @@ Box slab(const Box& space, Side side) {
   return box;
 }
 
+// What borders on sky alone is sky as a whole; what borders on something else, too, can't be.
+void make_sky_or_none(std::span<const Space> spaces, const Box& piece, const Look& look, Looks& io_looks) {
+  const Look* sky = nullptr;
+  bool all = true;
+  for (const Side side : kSides) {
+    const Border border = border_of(spaces, piece, side);
+    if (border.space == nullptr) continue;
+    const Look& seen = border.space->walls[index_of(opposite(side))];
+    all &= is_sky(seen);
+    if (is_sky(seen)) sky = &seen;
+  }
+  if (sky != nullptr && all) {
+    io_looks.fill(*sky);
+    return;
+  }
+  for (Look& other : io_looks)
+    if (is_sky(other) && !is_sky(look)) other = look;
+}
+
 void add_pieces(std::span<const Space> spaces, const Space& space, const Look& look, const Box& piece,
                 std::vector<Solid>& io_solids) {
   Solid solid{corners_of(piece), {}, space.line};
@@ -109,8 +128,7 @@ void add_pieces(std::span<const Space> spaces, const Space& space, const Look& l
       add_pieces(spaces, space, look, two->second, io_solids);
       return;
     }
-  for (Look& other : solid.looks)
-    if (is_sky(other) && !is_sky(look)) other = look;
+  make_sky_or_none(spaces, piece, look, solid.looks);
   io_solids.push_back(std::move(solid));
 }
 

@@ -77,6 +77,7 @@ struct RockFace {
   Side side = Side::kDown;
   std::string texture, ledge_texture;
   int cell = 64, rough = 48;
+  double scale = 1;
   std::uint64_t seed = 0;
   std::int32_t line = 0;
 };

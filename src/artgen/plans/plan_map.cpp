@@ -176,13 +176,16 @@ base::Result<Plan> read_plan(const RecipeLine& level) {
   TRY_STATUS(read_level_line(level, outside, plan, scope));
   TRY_STATUS(collect_groups(level.below, plan));
   TRY_STATUS(read_lines(level.below, scope, plan));
-  if (plan.spaces.empty()) return recipe_error(level, "it has no room");
+  // Without a room but with something in it, it is no place but a thing: a box of ammunition.
+  if (plan.spaces.empty() && plan.structure.empty() && plan.bodies.empty())
+    return recipe_error(level, "it has no room");
   return plan;
 }
 
 formats::Map map_of_plan(const Plan& plan) {
   formats::Map map;
-  std::vector<Solid> world = carve_shell(plan.spaces);
+  std::vector<Solid> world;
+  if (!plan.spaces.empty()) world = carve_shell(plan.spaces);
   world.insert(world.end(), plan.structure.begin(), plan.structure.end());
   map.entities.push_back(entity_with(plan.world, world));
   if (const std::vector<Solid> rock = rock_of(plan); !rock.empty())

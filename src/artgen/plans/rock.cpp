@@ -64,6 +64,14 @@ int bulge_at(const RockFace& face, const std::vector<Box>& openings, const SideA
   return static_cast<int>(std::lround((least + rough * (face.rough - least)) * free));
 }
 
+// Whether a cell of the side lies before an opening, be it in part.
+bool covers_any(const std::vector<Box>& openings, const SideAxes& axes, Point low, Point high) {
+  return std::any_of(openings.begin(), openings.end(), [&](const Box& open) {
+    return open.low[axes.u] < high[axes.u] && low[axes.u] < open.high[axes.u] &&
+           open.low[axes.v] < high[axes.v] && low[axes.v] < open.high[axes.v];
+  });
+}
+
 int steps_along(const Box& box, int axis, int cell) {
   return std::max(1, (box.size()[axis] + cell / 2) / cell);
 }
@@ -98,9 +106,11 @@ std::vector<Solid> make_rock(const RockFace& face, const std::vector<Space>& spa
   };
   Looks looks = looks_all(face.texture, face.box);
   looks[index_of(Side::kUp)].texture = face.ledge_texture;
+  for (Look& look : looks) look.scale = math::Vec2d(face.scale);
   std::vector<Solid> solids;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
+      if (covers_any(openings, axes, foot(column, row), foot(column + 1, row + 1))) continue;
       // The diagonal alternates, so that no grain runs through the rock.
       const bool other = (row + column) % 2 != 0;
       const std::array<std::pair<int, int>, 4> ring = {

@@ -14,7 +14,8 @@ using Point = glm::ivec3;  // map units
 
 // The six ways that a side of a box can face.
 enum class Side : std::uint8_t { kEast, kWest, kNorth, kSouth, kUp, kDown };
-inline constexpr std::array kSides = {Side::kEast, Side::kWest, Side::kNorth, Side::kSouth, Side::kUp, Side::kDown};
+inline constexpr std::array kSides = {Side::kEast,  Side::kWest, Side::kNorth,
+                                      Side::kSouth, Side::kUp,   Side::kDown};
 constexpr std::size_t index_of(Side side) {
   return static_cast<std::size_t>(side);
 }

@@ -44,6 +44,7 @@ base::Status read_cave(const RecipeLine& recipe, const Scope& scope, Plan& io_pl
   const int rough = line.whole("rough", 48, 1, 1024);
   const int floor_rough = line.whole("floor_rough", std::min(rough, 20), 1, 1024);
   face.cell = line.whole("cell", 64, 16, 512);
+  face.scale = line.number("scale", 1, 0.125, 16);
   face.seed = static_cast<std::uint64_t>(line.whole("seed", 1, 0, 1 << 30));
   face.line = recipe.number;
   const std::vector<Side> sides = sides_listed(line, "walls,ceiling,floor");

@@ -1,0 +1,95 @@
+// A player: from what he knows and sees to one move a tick.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "game/player/fighter.h"
+#include "game/player/level_map.h"
+#include "game/player/mover_watch.h"
+#include "game/player/planner.h"
+#include "game/player/router.h"
+#include "game/player/view.h"
+#include "game/player/walker.h"
+#include "net/client_message.h"
+
+namespace temblor::player {
+
+struct BrainSetup {
+  std::uint64_t seed = 1;
+  std::size_t slot = 0;
+  bool visits_secrets = false;
+  bool fights = true;
+  std::vector<math::Vec3> waypoints{};  // visited in order before anything else
+  std::string exit_map{};               // of several exits the one that leads there
+  double patience_s = 20;               // that a goal may be out of reach
+};
+
+class Brain {
+ public:
+  // `map` must outlive it.
+  Brain(const LevelMap& map, server::Game& io_game, const BrainSetup& setup);
+
+  // The level began anew: the same entities in another game.
+  void begin_again(server::Game& io_game);
+  // `view_deg`: where the server has turned him, if it did.
+  net::Move think(server::Game& io_game, std::optional<math::Vec3> view_deg, double now_s);
+
+  bool has_given_up() const { return has_given_up_; }
+  // Why, a line each; also secrets that cannot be reached.
+  const std::vector<std::string>& complaints() const { return complaints_; }
+  // What he is about, for messages.
+  std::string describe() const;
+  int deaths() const { return deaths_; }
+  // Whether that mover was open at any time since the level began.
+  bool saw_open(int mover) const { return movers_.was_opened(mover); }
+
+ private:
+  enum class Phase { kWalk, kAct };
+
+  std::optional<Task> next_task(std::uint32_t at, double now_s);
+  std::optional<Task> task_for_waypoint(std::uint32_t at);
+  std::optional<Task> task_for_secret(std::uint32_t at);
+  std::optional<Task> task_for_exit(std::uint32_t at);
+  std::optional<Task> task_for_item(server::Game& io_game, const Self& self, std::uint32_t at);
+  void take_up(Task task, double now_s);
+  void drop_task() {
+    task_.reset();
+    walker_.stop();
+  }
+  bool is_done(server::Game& io_game, const Self& self) const;
+  bool route_has_shut() const;
+  void work(server::Game& io_game, const Self& self, double now_s, Steering& out);
+  void act(server::Game& io_game, const Self& self, double now_s, Steering& out);
+  void find_work(server::Game& io_game, const Self& self, double now_s);
+  net::Move move_for(const Self& self, const Steering& steering);
+  void complain(const std::string& text);
+
+  const LevelMap* map_;
+  server::Game* game_;
+  BrainSetup setup_;
+  Dice dice_;
+  MoverWatch movers_;
+  Router router_;
+  Planner planner_;
+  Walker walker_;
+  Fighter fighter_;
+  View view_;
+  std::optional<Task> task_;
+  bool is_side_task_ = false;
+  Phase phase_ = Phase::kWalk;
+  double phase_since_s_ = 0, looked_for_items_s_ = 0, planned_s_ = -10, checked_route_s_ = 0;
+  std::optional<double> in_vain_since_s_;
+  double settled_since_s_ = 0;
+  std::set<std::uint32_t> hopeless_secrets_;
+  std::map<std::uint32_t, int> tried_items_;
+  std::size_t waypoint_ = 0;
+  std::vector<std::string> complaints_;
+  bool has_given_up_ = false, was_alive_ = true, jumped_ = false, acts_fire_ = false;
+  int deaths_ = 0, pending_impulse_ = 0;
+  std::uint64_t tick_ = 0;
+};
+
+}  // namespace temblor::player

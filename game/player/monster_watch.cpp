@@ -1,0 +1,73 @@
+#include "game/player/monster_watch.h"
+
+#include <fmt/format.h>
+
+#include "game/player/senses.h"
+#include "server/move_trace.h"
+
+namespace temblor::player {
+namespace {
+
+namespace field = server::field;
+
+constexpr double kIdle_s = 5;
+constexpr float kMoved_units = 10;
+constexpr int kStuckLooks = 8;
+
+bool is_in_wall(server::GameWorld& io_world, const server::Edict& edict) {
+  const math::Vec3 at = edict[field::kOrigin];
+  return server::trace_move(io_world, at, edict[field::kMins], edict[field::kMaxs], at,
+                            server::MoveKind::kNoMonsters, edict.index())
+      .trace.start_solid;
+}
+
+}  // namespace
+
+MonsterWatch::MonsterWatch(server::Game& io_game) : fields_(io_game.machine().program()) {}
+
+bool MonsterWatch::fights(server::Game& io_game, const server::Edict& monster) const {
+  server::GameWorld& world = io_game.world();
+  const vm::EntityIndex enemy = monster[field::kEnemy];
+  if (!world.edicts.is_client(enemy)) return false;
+  const server::Edict player = world.edicts[enemy];
+  if (player[field::kHealth] <= 0) return false;
+  return sees(world, monster.index(), monster[field::kOrigin] + monster[field::kViewOffset],
+              player[field::kOrigin] + player[field::kViewOffset]);
+}
+
+void MonsterWatch::look(server::Game& io_game, double now_s) {
+  server::GameWorld& world = io_game.world();
+  for (std::uint32_t i = 1 + world.edicts.client_count(); i < world.edicts.count(); ++i) {
+    const vm::EntityIndex entity{i};
+    if (world.edicts.is_free(entity)) continue;
+    const server::Edict edict = world.edicts[entity];
+    if (!edict.has_flag(server::flag::kMonster) || edict[field::kHealth] <= 0) continue;
+    if (edict.solid() == server::Solid::kNot) continue;
+    auto [found, is_new] = watched_.try_emplace(i);
+    Watched& watched = found->second;
+    const math::Vec3 at = edict[field::kOrigin];
+    if (is_new) watched = {.name = describe(io_game, entity), .at = at, .since_s = now_s};
+    watched.stuck_looks = is_in_wall(world, edict) ? watched.stuck_looks + 1 : 0;
+    if (watched.stuck_looks == kStuckLooks)
+      stuck_.insert(fmt::format("{}, now at {:.0f} {:.0f} {:.0f}", watched.name, at.x, at.y, at.z));
+
+    // Whoever goes from one thing that it does to another, or attacks, is not idle.
+    watched.doings.insert(fields_.number(edict, "seq_first"));
+    watched.finishes.insert(fields_.number(edict, "attack_finished"));
+    if (glm::distance(at, watched.at) > kMoved_units || watched.doings.size() > 1 ||
+        watched.finishes.size() > 1 || !fights(io_game, edict)) {
+      watched.at = at;
+      watched.since_s = now_s;
+      watched.doings = {fields_.number(edict, "seq_first")};
+      watched.finishes = {fields_.number(edict, "attack_finished")};
+    } else if (now_s - watched.since_s > kIdle_s) {
+      const math::Vec3 enemy = world.edicts.at(edict[field::kEnemy])[field::kOrigin];
+      idle_.insert(
+          fmt::format("{}: stands at {:.0f} {:.0f} {:.0f} and sees its enemy at {:.0f} {:.0f} {:.0f}",
+                      watched.name, at.x, at.y, at.z, enemy.x, enemy.y, enemy.z));
+      watched.since_s = now_s + 1e6;  // once
+    }
+  }
+}
+
+}  // namespace temblor::player

@@ -1,0 +1,68 @@
+// What has to be done first so that a goal can be reached: doors opened, keys fetched, buttons pressed.
+//
+// Method: a way is searched as if locked doors were open, at a price. What opens the first locked one on it
+// is the next goal, by the same method, until there is one that can be reached as things are.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/player/router.h"
+#include "server/game.h"
+
+namespace temblor::player {
+
+enum class TaskKind { kReach, kPress, kShoot, kTouch, kTake, kKill };
+
+struct Task {
+  TaskKind kind = TaskKind::kReach;
+  vm::EntityIndex entity{};
+  math::Bounds box{};
+  math::Vec3 look{0.0f};  // has to be looked at there; 0: anywhere
+  int opens = -1;         // the mover that this is to open
+  std::string describe{};
+  std::vector<std::uint32_t> goals{};
+  Route route{};
+};
+
+class Planner {
+ public:
+  Planner(server::Game& io_game, const NavSpace& space, const NavGraph& graph, const MoverWatch& movers,
+          Router& io_router)
+      : game_(&io_game), space_(&space), graph_(&graph), movers_(&movers), router_(&io_router) {}
+
+  // The game has been set up again: entities are the same.
+  void set_game(server::Game& io_game) { game_ = &io_game; }
+
+  // The next thing to do from there; nothing: it cannot be reached, see why_not().
+  std::optional<Task> plan(std::uint32_t from, Task goal);
+  const std::vector<std::string>& why_not() const { return why_not_; }
+
+  Task task_for_exit(const Trigger& exit) const;
+  Task task_for(TaskKind kind, vm::EntityIndex entity);
+  // It was done, or tried in vain.
+  void note_use(vm::EntityIndex entity) { ++uses_[static_cast<std::uint32_t>(entity)]; }
+  int uses(vm::EntityIndex entity) const;
+
+ private:
+  std::optional<Task> plan_inner(std::uint32_t from, Task goal, std::vector<int>& io_visited);
+  std::vector<Task> ways_to_open(int mover);
+  void add_firing(const std::string& name, int depth, std::vector<Task>& io_tasks,
+                  std::vector<int>& io_doors);
+  bool is_usable(const Activator& activator) const;
+  std::vector<std::uint32_t> places_to_shoot(const math::Bounds& box) const;
+  std::optional<Task> best_way_to_open(std::uint32_t from, int mover, std::vector<int>& io_visited);
+
+  server::Game* game_;
+  const NavSpace* space_;
+  const NavGraph* graph_;
+  const MoverWatch* movers_;
+  Router* router_;
+  std::map<std::uint32_t, int> uses_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> shooting_places_;
+  std::vector<std::string> why_not_;
+};
+
+}  // namespace temblor::player

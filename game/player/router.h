@@ -1,0 +1,55 @@
+// The cheapest way through a level's places, as its moving parts are now.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "game/player/mover_watch.h"
+#include "game/player/nav_graph.h"
+
+namespace temblor::player {
+
+struct Route {
+  std::vector<std::uint32_t> places;  // from the start on; at least one
+  std::vector<Way> ways;              // ways[i] leads from places[i] to places[i + 1]
+  float cost = 0;
+  int locked_mover = -1;  // the first on it that is locked
+};
+
+struct RouteRules {
+  bool passes_locked = false;        // at a price
+  std::vector<int> banned_movers{};  // as if they could never be had
+  float most_cost = 1e9f;
+};
+
+class Router {
+ public:
+  Router(const NavGraph& graph, const MoverWatch& movers);
+
+  // To the cheapest of the goals; nothing where none can be reached.
+  std::optional<Route> find(std::uint32_t from, std::span<const std::uint32_t> goals,
+                            const RouteRules& rules = {});
+  // Costs to all places, 1e9f where there is no way; valid until the next search.
+  std::span<const float> costs_from(std::uint32_t from, const RouteRules& rules = {});
+  // A way that did not work costs more from now on.
+  void blame(std::uint32_t from, std::uint32_t to, float cost);
+  void forgive() { blamed_.clear(); }
+
+ private:
+  void search(std::uint32_t from, const RouteRules& rules);
+  float cost_of(std::uint32_t from, const Way& way, const RouteRules& rules, bool& out_locked) const;
+
+  const NavGraph* graph_;
+  const MoverWatch* movers_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, float> blamed_;
+  std::vector<float> costs_;
+  std::vector<std::uint32_t> came_from_, came_by_;  // place, and number of its way
+  std::vector<bool> is_goal_;
+  std::uint32_t reached_goal_ = 0;
+  bool stops_at_goal_ = false, has_reached_ = false;
+};
+
+}  // namespace temblor::player

@@ -1,0 +1,35 @@
+#include "game/player/view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/player/senses.h"
+
+namespace temblor::player {
+namespace {
+
+constexpr float kMostRate_deg = 260;  // a second, at haste 1
+constexpr float kStiffness = 9;       // of the spring that pulls the view, 1/s at haste 1
+constexpr float kMostPitch_deg = 65;
+
+}  // namespace
+
+void View::set(const math::Vec3& angles_deg) {
+  angles_deg_ = angles_deg;
+  rate_ = math::Vec3(0.0f);
+}
+
+// A critically damped spring, its speed bounded.
+void View::turn(const math::Vec3& wanted_deg, float haste, float seconds) {
+  const float stiffness = kStiffness * haste, most = kMostRate_deg * haste;
+  const math::Vec3 wanted(std::clamp(wanted_deg.x, -kMostPitch_deg, kMostPitch_deg), wanted_deg.y, 0);
+  for (int axis = 0; axis < 2; ++axis) {
+    const float missing = turn_between_deg(angles_deg_[axis], wanted[axis]);
+    const float pull = stiffness * stiffness * missing - 2 * stiffness * rate_[axis];
+    rate_[axis] = std::clamp(rate_[axis] + pull * seconds, -most, most);
+    angles_deg_[axis] = std::remainder(angles_deg_[axis] + rate_[axis] * seconds, 360.0f);
+  }
+  angles_deg_.z = 0;
+}
+
+}  // namespace temblor::player

@@ -1,0 +1,188 @@
+// Bots: that they come and go as the variables say, and play.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <set>
+
+#include "game/room_level.h"
+#include "support/game_data.h"
+
+namespace temblor::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+namespace field = server::field;
+
+const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
+constexpr std::uint32_t kPlaces = 8;
+
+int bots_in(const PlayedLevel& game) {
+  int count = 0;
+  for (std::uint32_t slot = 0; slot < kPlaces; ++slot) count += game.is_bot(slot);
+  return count;
+}
+
+// Whether somebody alive has been within a small cube for as long as nobody should be.
+class Watcher {
+ public:
+  explicit Watcher(PlayedLevel& io_game) : game_(io_game) {}
+
+  // Once a second.
+  void look() {
+    for (std::uint32_t slot = 0; slot < kPlaces; ++slot) {
+      std::deque<math::Vec3>& places = places_[slot];
+      const server::Edict player = game_.player(slot);
+      if (!game_.is_bot(slot) || !(player[field::kHealth] > 0)) {
+        places.clear();
+        continue;
+      }
+      places.push_back(player[field::kOrigin]);
+      if (places.size() > kLongest_s) places.pop_front();
+      if (places.size() < kLongest_s) continue;
+      math::Vec3 low = places[0], high = places[0];
+      for (const math::Vec3& place : places) {
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+      }
+      if (glm::length(high - low) < kSmall) {
+        const math::Vec3 at = places[0];
+        stuck.push_back(fmt::format("slot {} at {:.0f} {:.0f} {:.0f} until {:.1f} s", slot, at.x, at.y, at.z,
+                                    game_.time_s()));
+        places.clear();
+      }
+    }
+  }
+
+  std::vector<std::string> stuck;
+
+ private:
+  static constexpr std::size_t kLongest_s = 10;
+  static constexpr float kSmall = 48;
+  PlayedLevel& game_;
+  std::array<std::deque<math::Vec3>, kPlaces> places_;
+};
+
+class Arenas : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Arenas, EightBotsPlayForTenMinutes) {
+  DATA_FOLDER_OR_SKIP(data);
+  PlayedLevel game(data, GetParam(), kProgs, {.kind = server::GameKind::kDeathmatch, .players = kPlaces});
+  game.set("bot_fill", "8");
+  game.run(20);
+  EXPECT_EQ(bots_in(game), 8);
+  Watcher watcher(game);
+  for (int second = 0; second < 600; ++second) {
+    game.run(1);
+    watcher.look();
+  }
+  EXPECT_THAT(game.errors(), IsEmpty());
+  EXPECT_THAT(watcher.stuck, IsEmpty());
+  float frags = 0;
+  for (std::uint32_t slot = 0; slot < kPlaces; ++slot) frags += game.player(slot)[field::kFrags];
+  EXPECT_GT(frags, 80);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Arenas, ::testing::Values("lqdm1", "lqdm3", "lqdm5", "lqdm11", "lqdm12"),
+                         [](const auto& level) { return level.param; });
+
+class Company : public ::testing::Test {
+ protected:
+  Company() : data_(hall_text({0, -400, 0}, {1200, 400, 256}, {}, starts())) {}
+
+  // Six more than the two of the hall: nobody has to appear in somebody else.
+  static std::string starts() {
+    std::string text;
+    for (int i = 0; i < 6; ++i)
+      text += point_text("info_player_deathmatch", {200.0 + 150 * i, i % 2 == 0 ? -300.0 : 300.0, 40});
+    return text;
+  }
+
+  PlayedLevel begin(server::GameKind kind) {
+    return PlayedLevel(data_.path(), "room", kProgs, {.kind = kind, .players = kPlaces});
+  }
+
+  RoomData data_;
+};
+
+TEST_F(Company, AsManyAsTheVariableSaysPeopleCounted) {
+  PlayedLevel game = begin(server::GameKind::kDeathmatch);
+  game.run(10);
+  EXPECT_EQ(bots_in(game), 0);
+  game.set("bot_fill", "4");
+  game.run(10);
+  EXPECT_EQ(bots_in(game), 4);
+  EXPECT_THAT(game.said(), HasSubstr("Basalt"));
+  game.join(0);
+  game.run(3);
+  EXPECT_EQ(bots_in(game), 3);
+  game.set("bot_fill", "16");
+  game.run(10);
+  EXPECT_EQ(bots_in(game), 7);  // no more places
+  game.set("bot_fill", "0");
+  game.run(10);
+  EXPECT_EQ(bots_in(game), 0);
+  EXPECT_THAT(game.errors(), IsEmpty());
+}
+
+TEST_F(Company, HaveNamesOfTheirOwn) {
+  PlayedLevel game = begin(server::GameKind::kDeathmatch);
+  game.set("bot_fill", "8");
+  game.run(15);
+  std::set<std::string> names;
+  for (std::uint32_t slot = 0; slot < kPlaces; ++slot)
+    names.insert(game.text(game.player(slot)[field::kNetName]));
+  EXPECT_EQ(names.size(), 8u);
+}
+
+TEST_F(Company, NoneWithoutADeathmatch) {
+  PlayedLevel game = begin(server::GameKind::kCooperative);
+  game.set("bot_fill", "8");
+  game.run(10);
+  EXPECT_EQ(bots_in(game), 0);
+}
+
+TEST_F(Company, BetterOnesKillMore) {
+  float frags[2] = {};
+  for (const int skill : {0, 3}) {
+    PlayedLevel game = begin(server::GameKind::kDeathmatch);
+    game.set("bot_fill", "4");
+    game.set("bot_skill", std::to_string(skill));
+    game.run(120);
+    for (std::uint32_t slot = 0; slot < kPlaces; ++slot) frags[skill / 3] += game.player(slot)[field::kFrags];
+    EXPECT_THAT(game.errors(), IsEmpty());
+  }
+  EXPECT_GT(frags[0], 4);
+  EXPECT_GT(frags[1], 2 * frags[0]);
+}
+
+TEST_F(Company, KnowWhatTheTremorIsFor) {
+  PlayedLevel game = begin(server::GameKind::kDeathmatch);
+  game.set("bot_fill", "2");
+  game.run(8);
+  for (int second = 0; second < 60; ++second) {
+    for (std::uint32_t slot = 0; slot < kPlaces; ++slot) {
+      game.player(slot).set(field::kItems, 128 + 4096);
+      game.player(slot).set(field::kAmmoCells, 100);
+    }
+    game.run(1);
+  }
+  EXPECT_THAT(game.said(), HasSubstr("lost the ground to "));
+  EXPECT_THAT(game.errors(), IsEmpty());
+}
+
+// One comes and stands there: they find and kill him.
+TEST_F(Company, HuntPeople) {
+  PlayedLevel game = begin(server::GameKind::kDeathmatch);
+  game.set("bot_fill", "3");
+  game.join(0);
+  game.run(60);
+  float deaths = 0;
+  for (std::uint32_t slot = 1; slot < kPlaces; ++slot) deaths += game.player(slot)[field::kFrags];
+  EXPECT_GE(deaths, 1);
+  EXPECT_LE(game.player(0)[field::kHealth], 100);
+}
+
+}  // namespace
+}  // namespace temblor::test
