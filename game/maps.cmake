@@ -42,6 +42,7 @@ foreach(recipe IN LISTS map_recipes)
     COMMAND "${CMAKE_COMMAND}" -E make_directory "${maps_folder}"
     COMMAND sh -c "${install_level}" "${level}" "${maps_folder}" "${maps_work}/maps/${name}.lit"
     DEPENDS "${map}" "${textures_wad}" "$<TARGET_FILE:temblor_compiler>"
+    WORKING_DIRECTORY "${maps_work}"  # away from id1, whose palette may not be there yet
     JOB_POOL temblor_maps
     COMMENT "Level ${name}"
     VERBATIM)
