@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<SoundClass, 12> kClasses = {{
     {"blast", -8},      // explosions, thunder nearby
-    {"weapon", -9},    // shots
+    {"weapon", -9},     // shots
     {"impact", -12},    // what lands, bounces, hits
     {"voice", -11},     // creatures
     {"murmur", -16},    // creatures that stand about
