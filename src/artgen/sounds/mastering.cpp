@@ -11,18 +11,18 @@ namespace temblor::artgen {
 namespace {
 
 constexpr std::array<SoundClass, 12> kClasses = {{
-    {"blast", -9},      // explosions, thunder nearby
-    {"weapon", -11},    // shots
-    {"impact", -14},    // what lands, bounces, hits
-    {"voice", -13},     // creatures
-    {"murmur", -19},    // creatures that stand about
-    {"player", -14},    // one's own voice
-    {"body", -18},      // one's own steps and splashes
-    {"item", -17},      // what is picked up
-    {"signal", -16},    // keys, secrets, messages
-    {"machine", -18},   // doors, lifts, buttons
-    {"ambience", -22},  // what is there all the time
-    {"menu", -18},
+    {"blast", -8},      // explosions, thunder nearby
+    {"weapon", -9},     // shots
+    {"impact", -12},    // what lands, bounces, hits
+    {"voice", -11},     // creatures
+    {"murmur", -16},    // creatures that stand about
+    {"player", -12},    // one's own voice
+    {"body", -15},      // one's own steps and splashes
+    {"item", -14},      // what is picked up
+    {"signal", -13},    // keys, secrets, messages
+    {"machine", -14},   // doors, lifts, buttons
+    {"ambience", -18},  // what is there all the time
+    {"menu", -14},
 }};
 
 // Straight up to two thirds, then ever flatter, never above kPeak.

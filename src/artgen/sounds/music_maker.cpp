@@ -16,7 +16,7 @@
 namespace temblor::artgen {
 namespace {
 
-constexpr double kMusicLoudest_db = -13;
+constexpr double kMusicLoudest_db = -11;
 
 // Every note of an instrument by its pitch and length: made once, however often it is played.
 class Notes {
@@ -29,8 +29,7 @@ class Notes {
       const Instrument& player = score_.instruments[instrument];
       PatchContext context;
       context.rate = kMusicRate;
-      context.voice_s = score_.seconds(beats);
-      context.length_s = context.voice_s + player.tail_s;
+      context.length_s = context.voice_s = score_.seconds(beats) + player.tail_s;
       context.pitch = 440 * std::pow(2.0, half_tones / 12.0);
       context.seed = base::hash_with(instrument, static_cast<std::uint64_t>(half_tones + 1000));
       TRY(place->second, render_patch(player.line->below, context));

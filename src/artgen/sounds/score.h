@@ -24,7 +24,7 @@ namespace temblor::artgen {
 struct Instrument {
   std::string name;
   const RecipeLine* line = nullptr;  // what is under it is a patch
-  double tail_s = 0;                 // that notes ring beyond their beats
+  double tail_s = 0;                 // that notes last beyond their beats
   double level = 1, pan = 0, room = 0.3;
 };
 
