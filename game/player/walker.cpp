@@ -10,7 +10,7 @@ namespace temblor::player {
 namespace {
 
 constexpr float kRunSpeed = 400;
-constexpr float kGravity = 800, kJumpSpeed = 270;
+constexpr float kGravity = 800;
 constexpr float kNear_units = 26, kNearHeight_units = 40;
 constexpr float kLost_units = 90;
 constexpr std::size_t kLookAhead = 14;
