@@ -48,7 +48,7 @@ Brain::Brain(const LevelMap& map, server::Game& io_game, const BrainSetup& setup
       dice_(setup.seed),
       movers_(map.facts),
       router_(map.graph, movers_),
-      planner_(io_game, map.space, map.graph, movers_, router_),
+      planner_(io_game, map.space, map.graph, router_),
       walker_(map.graph, map.space, movers_, router_, dice_),
       fighter_(dice_) {}
 
@@ -56,7 +56,7 @@ void Brain::begin_again(server::Game& io_game) {
   game_ = &io_game;
   movers_ = MoverWatch(map_->facts);
   router_.forgive();
-  planner_ = Planner(io_game, map_->space, map_->graph, movers_, router_);
+  planner_ = Planner(io_game, map_->space, map_->graph, router_);
   fighter_ = Fighter(dice_);
   tried_items_.clear();
   in_vain_since_s_.reset();
@@ -278,7 +278,7 @@ void Brain::find_work(server::Game&, const Self& self, double now_s) {
   is_side_task_ = false;
   const int at = map_->graph.nearest(self.origin);
   std::optional<Task> task;
-  if (at >= 0) task = next_task(static_cast<std::uint32_t>(at), now_s);
+  if (at >= 0) task = next_task(static_cast<std::uint32_t>(at));
   if (task) {
     in_vain_since_s_.reset();
     take_up(std::move(*task), now_s);
@@ -296,7 +296,7 @@ void Brain::find_work(server::Game&, const Self& self, double now_s) {
   }
 }
 
-std::optional<Task> Brain::next_task(std::uint32_t at, double) {
+std::optional<Task> Brain::next_task(std::uint32_t at) {
   if (auto task = task_for_waypoint(at)) return task;
   if (setup_.visits_secrets)
     if (auto task = task_for_secret(at)) return task;

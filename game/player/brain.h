@@ -50,7 +50,7 @@ class Brain {
  private:
   enum class Phase { kWalk, kAct };
 
-  std::optional<Task> next_task(std::uint32_t at, double now_s);
+  std::optional<Task> next_task(std::uint32_t at);
   std::optional<Task> task_for_waypoint(std::uint32_t at);
   std::optional<Task> task_for_secret(std::uint32_t at);
   std::optional<Task> task_for_exit(std::uint32_t at);

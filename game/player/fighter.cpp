@@ -12,10 +12,10 @@ namespace {
 
 namespace field = server::field;
 
-constexpr float kFarthest_units = 1000, kFarthestAsleep_units = 700;
+constexpr float kFarthest_units = 900, kFarthestAsleep_units = 500;
 constexpr double kChooseEvery_s = 0.15;
 constexpr double kVain_s = 7, kIgnore_s = 12;
-constexpr float kStrafeSpeed = 320;
+constexpr float kStrafeSpeed = 320, kAxeFight_units = 110;
 constexpr float kProbe_units = 56;
 constexpr float kTooClose_units = 190, kFarForShot_units = 480;
 constexpr double kWeaponPause_s = 0.5, kMotion_s = 0.2;
@@ -34,9 +34,9 @@ constexpr std::array<Weapon, 8> kWeapons = {{
     {64, 8, &Self::cells, 4, 0, 560, 0, false},
     {8, 5, &Self::nails, 8, 0, 900, 1000, false},
     {32, 7, &Self::rockets, 1, 190, 1200, 1000, true},
-    {2, 3, &Self::shells, 2, 0, 450, 0, false},
+    {2, 3, &Self::shells, 2, 0, 300, 0, false},
     {4, 4, &Self::nails, 4, 0, 900, 1000, false},
-    {1, 2, &Self::shells, 1, 0, 1200, 0, false},
+    {1, 2, &Self::shells, 1, 0, 700, 0, false},
     {16, 6, &Self::rockets, 1, 180, 420, 600, true},
     {4096, 1, nullptr, 0, 0, 1200, 0, false},
 }};
@@ -60,6 +60,12 @@ const Weapon& choose_weapon(const Self& self, float distance, bool only_bursts) 
 bool has_bursting_weapon(const Self& self) {
   return std::any_of(kWeapons.begin(), kWeapons.end(),
                      [&](const Weapon& weapon) { return weapon.bursts && can_use(self, weapon); });
+}
+
+bool has_gun(const Self& self) {
+  return std::any_of(kWeapons.begin(), kWeapons.end(), [&](const Weapon& weapon) {
+    return weapon.ammunition != nullptr && can_use(self, weapon);
+  });
 }
 
 const Weapon& in_hand(const Self& self) {
@@ -143,6 +149,7 @@ std::optional<vm::EntityIndex> Fighter::choose(server::Game& io_game, const Self
     const bool is_awake = world.edicts.is_client(edict[field::kEnemy]);
     if (value > (is_awake ? kFarthest_units : kFarthestAsleep_units)) continue;
     if (!sees(world, self.entity, self.eye(), at)) continue;
+    if (edict.has_flag(server::flag::kSwim) && self.water_level == 0) continue;  // stays in its water
     if (!is_awake) value += 300;
     if (enemy_ == entity) value -= 120;
     if (value >= best_value) continue;
@@ -228,7 +235,8 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   plan.aim_at = middle(edict);
   const float distance = glm::distance(plan.aim_at, self.eye());
   // What cannot be burst is only knocked down on the way.
-  plan.stands_and_fights = (name != "monster_zombie" || has_bursting_weapon(self)) && self.water_level == 0;
+  plan.stands_and_fights = (name != "monster_zombie" || has_bursting_weapon(self)) && self.water_level == 0 &&
+      (has_gun(self) || distance < kAxeFight_units);
   const Weapon& wanted = choose_weapon(self, distance, name == "monster_zombie");
   if (wanted.bit != self.weapon && now_s - changed_weapon_s_ > kWeaponPause_s) {
     plan.impulse = wanted.impulse;
@@ -243,7 +251,7 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   }
   plan.tolerance_deg = std::max(1.5f, std::atan2(14.0f, distance) * 57.3f);
   const bool is_axe = weapon.bit == 4096;
-  plan.fires = distance < (is_axe ? 80.0f : weapon.farthest + 300) && !(weapon.bursts && distance < 120) &&
+  plan.fires = distance < (is_axe ? 80.0f : weapon.farthest + 60) && !(weapon.bursts && distance < 120) &&
                sees(world, self.entity, self.eye(), plan.aim_at) && is_shot_safe(io_game, self, plan.aim_at);
   if (is_axe) {
     const math::Vec3 way = plan.aim_at - self.origin;

@@ -14,6 +14,7 @@ using movement::kStepHeight;
 
 constexpr float kJumpSpeed = 270, kJumpHeight = 45;
 constexpr std::array<float, 3> kRunSpeeds = {300, 220, 140};
+constexpr float kHopSpeed = 120;
 constexpr float kLeastJump_units = 40;
 constexpr float kJumpGain_units = 24;  // a jump that ends no higher than a fall there is none
 constexpr float kSwimStep_units = 24;
@@ -198,7 +199,8 @@ void Flood::try_hop(const Place& place, const math::Vec3& direction, Movers move
   const Meeting up = space_.trace(place.at, place.at + math::Vec3(0, 0, kJumpHeight), movers);
   const Meeting on = space_.trace(up.trace.end, up.trace.end + direction * 20.0f, movers);
   if (on.trace.fraction < 0.2f) return;
-  const FlightEnd end = fly(space_, place.at, {{0, 0, kJumpSpeed}, direction}, movers);
+  const FlightEnd end =
+      fly(space_, place.at, {direction * kHopSpeed + math::Vec3(0, 0, kJumpSpeed), direction}, movers);
   if (end.end != Flight::End::kStands || end.place.z < place.at.z + 8) return;
   add_found({.kind = WayKind::kHop, .at = end.place, .mover = end.mover, .cost = 90}, movers, io_found);
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr math::Bounds kPlayerBox{movement::kPlayerMins, movement::kPlayerMaxs};
 constexpr float kNear_units = 2;
-constexpr float kFlightStep_s = 1.0f / 36;
+constexpr float kFlightStep_s = 1.0f / 72;
 constexpr float kLongestFlight_s = 4;
 constexpr float kGravity = 800, kMaxSpeed = 320, kMaxVelocity = 2000;
 constexpr float kSteerSpeed = 30;

@@ -29,9 +29,8 @@ struct Task {
 
 class Planner {
  public:
-  Planner(server::Game& io_game, const NavSpace& space, const NavGraph& graph, const MoverWatch& movers,
-          Router& io_router)
-      : game_(&io_game), space_(&space), graph_(&graph), movers_(&movers), router_(&io_router) {}
+  Planner(server::Game& io_game, const NavSpace& space, const NavGraph& graph, Router& io_router)
+      : game_(&io_game), space_(&space), graph_(&graph), router_(&io_router) {}
 
   // What the player carries: keys.
   void set_items(int items) { items_ = items; }
@@ -62,7 +61,6 @@ class Planner {
   server::Game* game_;
   const NavSpace* space_;
   const NavGraph* graph_;
-  const MoverWatch* movers_;
   Router* router_;
   int items_ = 0;
   std::map<std::uint32_t, int> uses_;

@@ -70,10 +70,7 @@ class Run {
 
   double played_s() const { return session_->now_s() - began_s_; }
 
-  void step() {
-    game_ = &session_->game();
-    session_->step(moves_);
-  }
+  void step() { session_->step(moves_); }
 
   void play_on() {
     server::Game* last = &session_->game();
@@ -184,7 +181,6 @@ class Run {
   }
 
   void note_doors() {
-    MoverWatch watch(map_->facts);
     for (std::size_t i = 0; i < map_->facts.movers.size(); ++i) {
       const Mover& mover = map_->facts.movers[i];
       if (mover.kind != MoverKind::kDoor && mover.kind != MoverKind::kSecretDoor) continue;
@@ -195,10 +191,7 @@ class Run {
     }
   }
 
-  // With everything open.
   void note_items() {
-    MoverWatch watch(map_->facts);
-    watch.look(session_->game(), -1);
     server::GameWorld& world = session_->game().world();
     for (std::uint32_t i = 1; i < world.edicts.count(); ++i) {
       const vm::EntityIndex entity{i};
@@ -219,7 +212,6 @@ class Run {
   std::vector<std::uint32_t> turns_;
   RunReport report_;
   std::string map_name_;
-  server::Game* game_ = nullptr;
   double began_s_ = 0;
 };
 

@@ -10,7 +10,7 @@ namespace temblor::player {
 namespace {
 
 constexpr float kRunSpeed = 400;
-constexpr float kGravity = 800, kJumpSpeed = 270;
+constexpr float kGravity = 800;
 constexpr float kNear_units = 26, kNearHeight_units = 40;
 constexpr float kLost_units = 90;
 constexpr std::size_t kLookAhead = 14;
@@ -20,6 +20,7 @@ constexpr float kStuck_units = 14;
 constexpr int kMostStuck = 4;
 constexpr double kLongestWay_s = 8, kLongestWait_s = 40;
 constexpr float kRunUp_units = 88;
+constexpr float kAirBrake = 5;  // a tick takes 10/72 of the wish
 
 float level_distance(const math::Vec3& a, const math::Vec3& b) {
   return glm::length(math::Vec2(a - b));
@@ -303,7 +304,8 @@ void Walker::steer_in_air(const Self& self, const math::Vec3& landing, Steering&
                             std::min(level_distance(self.origin, landing) / left_s, kRunSpeed);
   const math::Vec3 change(wanted.x - self.velocity.x, wanted.y - self.velocity.y, 0);
   const float length = glm::length(change);
-  out.velocity = length > 15 ? change * (kRunSpeed / length) : math::Vec3(0.0f);
+  // What is braked too hard in the air cannot be had again: just as much as is too fast goes in a tick.
+  out.velocity = length > 8 ? change * (std::min(kRunSpeed, length * kAirBrake) / length) : math::Vec3(0.0f);
 }
 
 void Walker::steer_jump(server::Game& io_game, const Self& self, const Way& way, Steering& out) {
