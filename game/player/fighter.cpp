@@ -236,7 +236,7 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   const float distance = glm::distance(plan.aim_at, self.eye());
   // What cannot be burst is only knocked down on the way.
   plan.stands_and_fights = (name != "monster_zombie" || has_bursting_weapon(self)) && self.water_level == 0 &&
-      (has_gun(self) || distance < kAxeFight_units);
+                           (has_gun(self) || distance < kAxeFight_units);
   const Weapon& wanted = choose_weapon(self, distance, name == "monster_zombie");
   if (wanted.bit != self.weapon && now_s - changed_weapon_s_ > kWeaponPause_s) {
     plan.impulse = wanted.impulse;
