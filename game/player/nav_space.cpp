@@ -170,8 +170,9 @@ FlightEnd fly(const NavSpace& space, const math::Vec3& from, const Flight& fligh
     body.on_ground = false;
     // Nothing here can fail: nobody is called.
     if (!movement::slide(body, kFlightStep_s, environment).ok()) return {};
-    if (space.is_in_lava(body.origin)) return {};
-    if (space.water_level(body.origin) >= movement::kSwimmingLevel)
+    const world::Contents feet = space.contents(body.origin + math::Vec3(0, 0, kPlayerBox.mins.z + 1));
+    if (feet == world::Contents::kLava) return {};
+    if (movement::is_liquid(feet) && space.water_level(body.origin) >= movement::kSwimmingLevel)
       return {Flight::End::kSwims, body.origin, -1, time_s};
     if (body.on_ground) return {Flight::End::kStands, body.origin, static_cast<int>(body.ground) - 1, time_s};
   }

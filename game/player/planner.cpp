@@ -96,6 +96,7 @@ std::vector<std::uint32_t> Planner::places_to_shoot(const math::Bounds& box) con
 
 std::optional<Task> Planner::plan(std::uint32_t from, Task goal) {
   why_not_.clear();
+  router_->survey(from);
   std::vector<int> visited;
   return plan_inner(from, std::move(goal), visited);
 }
@@ -105,7 +106,7 @@ std::optional<Task> Planner::plan_inner(std::uint32_t from, Task goal, std::vect
     why_not_.push_back(fmt::format("{}: no place from which a player can start leads there", goal.describe));
     return std::nullopt;
   }
-  if (std::optional<Route> route = router_->find(from, goal.goals)) {
+  if (std::optional<Route> route = router_->find_surveyed(goal.goals)) {
     goal.route = std::move(*route);
     return goal;
   }
