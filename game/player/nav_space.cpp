@@ -134,6 +134,23 @@ bool NavSpace::is_line_free(const math::Vec3& from, const math::Vec3& to) const 
   return true;
 }
 
+bool NavSpace::is_line_free_of_movers(const math::Vec3& from, const math::Vec3& to,
+                                      const math::Bounds& target) const {
+  const auto is_free_of = [&](world::ModelIndex model, const math::Vec3& origin) {
+    const world::Trace trace =
+        world::trace_line(*level_, model, world::Hull::kPoint, from - origin, to - origin);
+    if (trace.fraction == 1) return true;
+    const math::Vec3 at = trace.end + origin;
+    return boxes_meet({at - kNear_units, at + kNear_units}, target);
+  };
+  for (const StillModel& still : facts_->still_models)
+    if (!is_free_of(still.model, still.origin)) return false;
+  for (const Mover& mover : facts_->movers)
+    for (const MoverPart& part : mover.parts)
+      if (!is_free_of(part.model, part.places[0])) return false;
+  return true;
+}
+
 world::Contents NavSpace::contents(const math::Vec3& point) const {
   const world::Contents contents =
       world::hull_contents(*level_, world::ModelIndex{0}, world::Hull::kPoint, point);

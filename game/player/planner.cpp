@@ -89,7 +89,9 @@ std::vector<std::uint32_t> Planner::places_to_shoot(const math::Bounds& box) con
     if (glm::distance(eye, aim) > kShootReach_units) continue;
     const world::Trace trace =
         world::trace_line(space_->level(), world::ModelIndex{0}, world::Hull::kPoint, eye, aim);
-    if (boxes_meet({trace.end - kAimSlack_units, trace.end + kAimSlack_units}, box)) found.push_back(i);
+    if (boxes_meet({trace.end - kAimSlack_units, trace.end + kAimSlack_units}, box) &&
+        space_->is_line_free_of_movers(eye, aim, box))
+      found.push_back(i);
   }
   return found;
 }
