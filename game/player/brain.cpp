@@ -18,6 +18,7 @@ constexpr double kSettle_s = 0.4;
 constexpr double kForgiveAfter_s = 6;
 constexpr float kReachSlack_units = 4;
 constexpr int kAttackButton = 1, kJumpButton = 2;
+constexpr int kSecretTries = 3;
 constexpr float kFleeHealth = 45, kFleeCost = 600;
 
 // Seconds that an act may take.
@@ -60,6 +61,7 @@ void Brain::begin_again(server::Game& io_game) {
   fighter_ = Fighter(dice_);
   tried_items_.clear();
   in_vain_since_s_.reset();
+  planned_.reset();
   waypoint_ = 0;
   drop_task();
 }
@@ -209,7 +211,10 @@ void Brain::take_up(Task task, double now_s) {
 
 void Brain::work(server::Game& io_game, const Self& self, double now_s, Steering& out) {
   if (task_ && is_done(io_game, self)) {
-    if (!is_side_task_) planner_.note_use(task_->entity);
+    if (!is_side_task_) {
+      planner_.note_use(task_->entity);
+      planned_.reset();
+    }
     drop_task();
   }
   if (task_ && phase_ == Phase::kWalk && now_s - checked_route_s_ > kCheckRouteEvery_s) {
@@ -251,7 +256,7 @@ void Brain::act(server::Game& io_game, const Self& self, double now_s, Steering&
     if (is_side_task_)
       ++tried_items_[static_cast<std::uint32_t>(task.entity)];
     else
-      planner_.note_vain(task.entity, self.origin);
+      give_up_task(self);
     drop_task();
     return;
   }
@@ -273,12 +278,40 @@ void Brain::act(server::Game& io_game, const Self& self, double now_s, Steering&
   out.is_free = false;
 }
 
+void Brain::give_up_task(const Self& self) {
+  planner_.note_vain(task_->entity, self.origin);
+  planned_.reset();
+}
+
+std::vector<bool> Brain::premises(int items) const {
+  std::vector<bool> premises;
+  for (std::size_t i = 0; i < map_->facts.movers.size(); ++i)
+    for (int state = 0; state < map_->facts.movers[i].states; ++state)
+      premises.push_back(movers_.access(static_cast<int>(i), state) >= Access::kLocked);
+  for (int bit = 0; bit < 24; ++bit) premises.push_back((items >> bit & 1) != 0 && bit >= 17 && bit <= 18);
+  return premises;
+}
+
+std::optional<Task> Brain::interrupted_task(std::uint32_t at) {
+  std::optional<Route> route = router_.find(at, planned_->goals);
+  if (!route) return std::nullopt;
+  Task task = *planned_;
+  task.route = std::move(*route);
+  return task;
+}
+
 void Brain::find_work(server::Game&, const Self& self, double now_s) {
   planned_s_ = now_s;
   is_side_task_ = false;
   const int at = map_->graph.nearest(self.origin);
   std::optional<Task> task;
-  if (at >= 0) task = next_task(static_cast<std::uint32_t>(at));
+  const std::vector<bool> premises = this->premises(self.items);
+  if (planned_ && at >= 0 && premises == planned_on_) task = interrupted_task(static_cast<std::uint32_t>(at));
+  if (!task && at >= 0) {
+    task = next_task(static_cast<std::uint32_t>(at));
+    planned_ = task;
+    planned_on_ = premises;
+  }
   if (task) {
     in_vain_since_s_.reset();
     take_up(std::move(*task), now_s);
@@ -298,8 +331,10 @@ void Brain::find_work(server::Game&, const Self& self, double now_s) {
 
 std::optional<Task> Brain::next_task(std::uint32_t at) {
   if (auto task = task_for_waypoint(at)) return task;
-  if (setup_.visits_secrets)
+  if (setup_.visits_secrets) {
     if (auto task = task_for_secret(at)) return task;
+    if (waits_for_secret_) return std::nullopt;
+  }
   return task_for_exit(at);
 }
 
@@ -322,6 +357,7 @@ std::optional<Task> Brain::task_for_waypoint(std::uint32_t at) {
 
 std::optional<Task> Brain::task_for_secret(std::uint32_t at) {
   std::optional<Task> best;
+  waits_for_secret_ = false;
   for (const vm::EntityIndex secret : map_->facts.secrets) {
     const auto number = static_cast<std::uint32_t>(secret);
     if (hopeless_secrets_.contains(number) || !server::is_there(game_->world(), secret)) continue;
@@ -330,7 +366,12 @@ std::optional<Task> Brain::task_for_secret(std::uint32_t at) {
         game_->machine().program().name_of(edict[field::kTouch]) == "nothing")
       continue;
     std::optional<Task> task = planner_.plan(at, planner_.task_for(TaskKind::kTouch, secret));
-    if (!task || planner_.uses(secret) > 3) {
+    // Something on the way may be moving just now.
+    if (!task && ++vain_secrets_[number] < kSecretTries) {
+      waits_for_secret_ = true;
+      continue;
+    }
+    if (!task || planner_.uses(secret) > kSecretTries) {
       hopeless_secrets_.insert(number);
       complain(fmt::format("secret not reached: {}", player::describe(*game_, secret)));
       for (const std::string& reason : planner_.why_not()) complain("  " + reason);

@@ -51,6 +51,9 @@ class Brain {
   enum class Phase { kWalk, kAct };
 
   std::optional<Task> next_task(std::uint32_t at);
+  std::optional<Task> interrupted_task(std::uint32_t at);
+  // What a plan rests upon: which movers are locked, and the keys.
+  std::vector<bool> premises(int items) const;
   std::optional<Task> task_for_waypoint(std::uint32_t at);
   std::optional<Task> task_for_secret(std::uint32_t at);
   std::optional<Task> task_for_exit(std::uint32_t at);
@@ -64,6 +67,7 @@ class Brain {
   bool route_has_shut() const;
   void work(server::Game& io_game, const Self& self, double now_s, Steering& out);
   void act(server::Game& io_game, const Self& self, double now_s, Steering& out);
+  void give_up_task(const Self& self);
   void find_work(server::Game& io_game, const Self& self, double now_s);
   net::Move move_for(const Self& self, const Steering& steering);
   void note_death(server::Game& io_game, const Self& self);
@@ -80,12 +84,16 @@ class Brain {
   Fighter fighter_;
   View view_;
   std::optional<Task> task_;
+  std::optional<Task> planned_;  // taken up again after a detour
+  std::vector<bool> planned_on_;
   bool is_side_task_ = false;
   Phase phase_ = Phase::kWalk;
   double phase_since_s_ = 0, looked_for_items_s_ = 0, planned_s_ = -10, checked_route_s_ = 0;
   std::optional<double> in_vain_since_s_;
   double settled_since_s_ = 0;
   std::set<std::uint32_t> hopeless_secrets_;
+  std::map<std::uint32_t, int> vain_secrets_;  // how often there was no way to one
+  bool waits_for_secret_ = false;
   std::map<std::uint32_t, int> tried_items_;
   std::size_t waypoint_ = 0;
   std::vector<std::string> complaints_;

@@ -89,13 +89,16 @@ std::vector<std::uint32_t> Planner::places_to_shoot(const math::Bounds& box) con
     if (glm::distance(eye, aim) > kShootReach_units) continue;
     const world::Trace trace =
         world::trace_line(space_->level(), world::ModelIndex{0}, world::Hull::kPoint, eye, aim);
-    if (boxes_meet({trace.end - kAimSlack_units, trace.end + kAimSlack_units}, box)) found.push_back(i);
+    if (boxes_meet({trace.end - kAimSlack_units, trace.end + kAimSlack_units}, box) &&
+        space_->is_line_free_of_movers(eye, aim, box))
+      found.push_back(i);
   }
   return found;
 }
 
 std::optional<Task> Planner::plan(std::uint32_t from, Task goal) {
   why_not_.clear();
+  router_->survey(from);
   std::vector<int> visited;
   return plan_inner(from, std::move(goal), visited);
 }
@@ -105,7 +108,7 @@ std::optional<Task> Planner::plan_inner(std::uint32_t from, Task goal, std::vect
     why_not_.push_back(fmt::format("{}: no place from which a player can start leads there", goal.describe));
     return std::nullopt;
   }
-  if (std::optional<Route> route = router_->find(from, goal.goals)) {
+  if (std::optional<Route> route = router_->find_surveyed(goal.goals)) {
     goal.route = std::move(*route);
     return goal;
   }

@@ -1,5 +1,5 @@
 // The shipped levels, played from their start to their exit on every skill. TEMBLOR_PLAYER_SEEDS: how many
-// games of each (2).
+// games of each (1).
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::string name_of(const Game& game) {
 
 std::uint64_t seeds() {
   const char* text = std::getenv("TEMBLOR_PLAYER_SEEDS");
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : 2;
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : 1;
 }
 
 player::RunSetup setup_of(const Game& game, std::uint64_t seed) {
@@ -62,7 +62,7 @@ TEST_P(ShippedLevels, ArePlayedToTheirExit) {
 }
 
 TEST_P(ShippedLevels, GiveUpAllTheirSecrets) {
-  if (GetParam().players > 0) GTEST_SKIP() << "secrets are looked for alone";
+  if (GetParam().players > 0 || GetParam().skill != 1) GTEST_SKIP() << "secrets are looked for once";
   player::RunSetup setup = setup_of(GetParam(), 1);
   setup.visits_secrets = true;
   const player::RunReport report = player::play_level(setup).value();
@@ -72,10 +72,8 @@ TEST_P(ShippedLevels, GiveUpAllTheirSecrets) {
 std::vector<Game> games() {
   std::vector<Game> games;
   for (const char* map : {"start", "t1", "t2", "t3"})
-    for (int skill = 0; skill < 4; ++skill) {
-      games.push_back({map, skill, 0});
-      games.push_back({map, skill, 2});
-    }
+    for (int skill = 0; skill < 4; ++skill) games.push_back({map, skill, 0});
+  for (const char* map : {"t1", "t2", "t3"}) games.push_back({map, 1, 2});
   return games;
 }
 
