@@ -33,11 +33,12 @@ function(temblor_test_flags)
   temblor_headers(temblor_test_headers temblor_test_flags <gmock/gmock.h> <gtest/gtest.h>)
 endfunction()
 
-# temblor_test(NAME [DEPENDS ...] [SOURCES ...] [DEFINITIONS ...] [NEEDS ...]): tests/NAME/*.cpp and SOURCES as one
+# temblor_test(NAME [AS_ONE] [DEPENDS ...] [SOURCES ...] [DEFINITIONS ...] [NEEDS ...]): tests/NAME/*.cpp and SOURCES as one
 # GoogleTest program, with its tests known to ctest. Of files NAME_test.cpp, those in which TEMBLOR_TESTS_LIKE is found;
-# nothing where there are none. NEEDS: targets to be built before, those that there are.
+# nothing where there are none. NEEDS: targets to be built before, those that there are. AS_ONE: one test for ctest, where
+# what all of them look at takes long to make.
 function(temblor_test name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;SOURCES;DEFINITIONS;NEEDS" ${ARGN})
+  cmake_parse_arguments(ARG "AS_ONE" "" "DEPENDS;SOURCES;DEFINITIONS;NEEDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/tests/${name}/*.cpp")
   foreach(source IN LISTS sources)
     file(STRINGS "${source}" found REGEX "${TEMBLOR_TESTS_LIKE}" LIMIT_COUNT 1)
@@ -58,5 +59,10 @@ function(temblor_test name)
   target_include_directories(${name}_test PRIVATE "${CMAKE_SOURCE_DIR}/tests")
   target_link_libraries(${name}_test PRIVATE ${ARG_DEPENDS} temblor_test_flags GTest::gtest_main)
   temblor_use_headers(${name}_test temblor_test_headers)
-  gtest_discover_tests(${name}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 1200)
+  if(ARG_AS_ONE)
+    add_test(NAME ${name} COMMAND ${name}_test)
+    set_tests_properties(${name} PROPERTIES TIMEOUT 1200)
+  else()
+    gtest_discover_tests(${name}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 1200)
+  endif()
 endfunction()

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "game/played_level.h"
+#include "support/effort.h"
 #include "support/game_data.h"
 
 namespace temblor::test {
@@ -75,7 +76,8 @@ TEST_P(Levels, RunForFiveMinutesOfFighting) {
   game.join(0);
   game.run(1);
   const float monsters = game.global("total_monsters");
-  for (std::uint32_t number = 3; game.time_s() < 300 && game.errors().empty();
+  const double end_s = effort(300, 20);
+  for (std::uint32_t number = 3; game.time_s() < end_s && game.errors().empty();
        number = number + 1 < game.edict_count() ? number + 1 : 3)
     if (!game.is_free(number) && game.text(game.edict(number)[field::kClassName]) != "trigger_changelevel")
       visit(game, number);
@@ -83,7 +85,7 @@ TEST_P(Levels, RunForFiveMinutesOfFighting) {
   EXPECT_THAT(game.printed(), Not(HasSubstr("precache")));
   // Three ogres of one level stand in what its file says is solid, until they are teleported.
   EXPECT_TRUE(GetParam() == "lq_e1m2" || game.printed().find("is stuck") == std::string::npos);
-  EXPECT_TRUE(monsters == 0 || game.global("killed_monsters") > 0);
+  EXPECT_TRUE(kQuick || monsters == 0 || game.global("killed_monsters") > 0);
 }
 
 TEST_P(Levels, AreTheSameTwice) {
