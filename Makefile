@@ -1,7 +1,7 @@
 # The README's two commands, `make play` and `make test`, do all set-up themselves; the rest is for working on it.
 .PHONY: play test bench package install format lint fuzz clean shipped
 
-SOURCES = find src tests bench fuzz -name '*.cpp' -o -name '*.h'
+SOURCES = find src tests bench fuzz game -name '*.cpp' -o -name '*.h'
 MAPS = start lq_e0m1 lq_e1m2
 # Without game data the program draws the level that it makes in code.
 WITH_DATA = $(if $(TEMBLOR_DATA),--basedir "$(TEMBLOR_DATA)")

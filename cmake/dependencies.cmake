@@ -13,6 +13,7 @@ pkg_check_modules(sdl2 REQUIRED IMPORTED_TARGET sdl2)
 set_target_properties(PkgConfig::sdl2 PROPERTIES INTERFACE_COMPILE_OPTIONS "")
 pkg_check_modules(sndfile REQUIRED IMPORTED_TARGET sndfile)
 pkg_check_modules(samplerate REQUIRED IMPORTED_TARGET samplerate)
+pkg_check_modules(vorbisenc REQUIRED IMPORTED_TARGET vorbisenc vorbis ogg)
 
 set(TEMBLOR_TBB_TARGET "")
 if(TEMBLOR_ONETBB)

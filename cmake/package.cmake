@@ -12,7 +12,7 @@ install(TARGETS temblor RUNTIME_DEPENDENCY_SET libraries COMPONENT game)
 
 # What is made, and nothing that playing has left there.
 install(DIRECTORY "${CMAKE_BINARY_DIR}/game/id1" DESTINATION "${game_folder}" COMPONENT game
-        FILES_MATCHING REGEX "/id1/(gfx|maps|music|progs|sound)/." REGEX "/id1/(progs\\.(dat|lno)|[^/]*\\.wad|t[0-9a-z]*\\.dem|quake\\.rc)$")
+        FILES_MATCHING REGEX "/id1/(gfx|maps|music|progs|sound)/." REGEX "/id1/(progs\\.(dat|lno)|[^/]*\\.wad|t[0-9]\\.dem|quake\\.rc)$")
 install(FILES "${CMAKE_BINARY_DIR}/game/id1/icon/temblor.png" COMPONENT game
         DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/256x256/apps")
 install(FILES packaging/temblor.desktop COMPONENT game DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")

@@ -1,5 +1,5 @@
 # The shipped levels: game/maps/NAME.recipe -> work/maps/NAME.map -> id1/maps/NAME.bsp (and .lit where light has colours),
-# one after another, as each compilation uses all cores. A warning fails the build.
+# one after another, as each compilation uses all cores.
 set(maps_work "${CMAKE_CURRENT_BINARY_DIR}/work")
 set(maps_folder "${CMAKE_CURRENT_BINARY_DIR}/id1/maps")
 set_property(GLOBAL APPEND PROPERTY JOB_POOLS temblor_maps=1)
@@ -18,12 +18,18 @@ add_custom_command(
   COMMENT "Textures"
   VERBATIM)
 
-set(compile "\"$0\" compile \"$1\" --wad \"$2\" -o \"$3\" > \"$3.txt\" 2> \"$3.err\" && ! test -s \"$3.err\" || { cat \"$3.err\"; exit 1; }")
+# What the compiler has to say fails the build, but of boxes of supplies, b_*, that nobody can enter them.
+set(compile "\"$0\" compile \"$1\" --wad \"$2\" -o \"$3\" > \"$3.txt\" 2> \"$3.err\" && ! grep -v \"$4\" \"$3.err\" || { cat \"$3.err\"; exit 1; }")
+set(note_of_boxes "no entity has a place\\|no info_player_start")
 set(install_level "cp \"$0\" \"$1\" && if test -e \"$2\"; then cp \"$2\" \"$1\"; fi")
 foreach(recipe IN LISTS map_recipes)
   get_filename_component(name "${recipe}" NAME_WE)
   set(map "${maps_work}/maps/${name}.map")
   set(level "${maps_work}/maps/${name}.bsp")
+  set(expected "^$")
+  if(name MATCHES "^b_")
+    set(expected "${note_of_boxes}")
+  endif()
   add_custom_command(
     OUTPUT "${map}"
     COMMAND temblor art "${recipe}" -o "${maps_work}"
@@ -32,10 +38,11 @@ foreach(recipe IN LISTS map_recipes)
     VERBATIM)
   add_custom_command(
     OUTPUT "${maps_folder}/${name}.bsp"
-    COMMAND sh -c "${compile}" "$<TARGET_FILE:temblor>" "${map}" "${textures_wad}" "${level}"
+    COMMAND sh -c "${compile}" "$<TARGET_FILE:temblor>" "${map}" "${textures_wad}" "${level}" "${expected}"
     COMMAND "${CMAKE_COMMAND}" -E make_directory "${maps_folder}"
     COMMAND sh -c "${install_level}" "${level}" "${maps_folder}" "${maps_work}/maps/${name}.lit"
-    DEPENDS "${map}" "${textures_wad}"
+    DEPENDS "${map}" "${textures_wad}" "$<TARGET_FILE:temblor_compiler>"
+    WORKING_DIRECTORY "${maps_work}"  # away from id1, whose palette may not be there yet
     JOB_POOL temblor_maps
     COMMENT "Level ${name}"
     VERBATIM)

@@ -30,6 +30,12 @@ mkdir -p out
 film=out/play.mp4 sheet=out/play.png
 echo "There is no display. What the game would show goes to"
 echo "  $PWD/$film"
-"$program" --basedir build/release/game render --demo t1 --size 1280x720 -o "$film"
+parts=()
+for level in t1 t2 t3; do
+  "$program" --basedir build/release/game render --demo "$level" --size 640x360 --frames 450 -o "out/$level.mp4"
+  parts+=(-i "out/$level.mp4")
+done
+ffmpeg -v error -y "${parts[@]}" -filter_complex 'concat=n=3' "$film"
+rm out/t?.mp4
 echo "  $PWD/$sheet"
-ffmpeg -v error -y -i "$film" -vf 'fps=1/2,scale=480:-1,tile=4x4' -frames:v 1 "$sheet"
+ffmpeg -v error -y -i "$film" -vf 'fps=1/3,scale=480:-1,tile=4x4' -frames:v 1 "$sheet"

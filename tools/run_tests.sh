@@ -74,7 +74,7 @@ suite() {
 }
 
 formatted() {
-  find src tests bench fuzz \( -name '*.cpp' -o -name '*.h' \) -print0 | xargs -0 clang-format-14 --dry-run -Werror
+  find src tests bench fuzz game \( -name '*.cpp' -o -name '*.h' \) -print0 | xargs -0 clang-format-14 --dry-run -Werror
 }
 
 tools/setup.sh develop || exit 1

@@ -5,8 +5,8 @@ set -euo pipefail
 
 packages=(g++ make cmake ninja-build pkgconf
   libtbb-dev libhwy-dev libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev libspng-dev libzip-dev
-  libembree-dev libsdl2-dev libsndfile1-dev libsamplerate0-dev libgtest-dev libgmock-dev libbenchmark-dev fteqcc
-  ffmpeg dpkg-dev file)
+  libembree-dev libsdl2-dev libsndfile1-dev libsamplerate0-dev libvorbis-dev libogg-dev libgtest-dev libgmock-dev
+  libbenchmark-dev fteqcc ffmpeg dpkg-dev file)
 # Of clang one version, so that every machine formats and warns alike. Without them `make test` skips what needs them.
 # DarkPlaces and quakestat are peers to play with, Xvfb the display of the first; iproute2 makes a network bad.
 checkers=(git parallel iproute2 fteqcc qstat darkplaces darkplaces-server xvfb xauth xdotool weston quakespasm

@@ -13,12 +13,13 @@ namespace {
 
 namespace field = server::field;
 
-constexpr double kPlanEvery_s = 0.7, kCheckRouteEvery_s = 0.4, kItemsEvery_s = 1.2;
+constexpr double kPlanEvery_s = 2.5, kCheckRouteEvery_s = 0.4, kItemsEvery_s = 1.2;
 constexpr double kSettle_s = 0.4;
 constexpr double kForgiveAfter_s = 6;
 constexpr float kReachSlack_units = 4;
 constexpr int kAttackButton = 1, kJumpButton = 2;
-constexpr int kMostItemTries = 2;
+constexpr int kSecretTries = 3;
+constexpr float kFleeHealth = 45, kFleeCost = 600;
 
 // Seconds that an act may take.
 double time_for(TaskKind kind) {
@@ -48,7 +49,7 @@ Brain::Brain(const LevelMap& map, server::Game& io_game, const BrainSetup& setup
       dice_(setup.seed),
       movers_(map.facts),
       router_(map.graph, movers_),
-      planner_(io_game, map.space, map.graph, movers_, router_),
+      planner_(io_game, map.space, map.graph, router_),
       walker_(map.graph, map.space, movers_, router_, dice_),
       fighter_(dice_) {}
 
@@ -56,10 +57,11 @@ void Brain::begin_again(server::Game& io_game) {
   game_ = &io_game;
   movers_ = MoverWatch(map_->facts);
   router_.forgive();
-  planner_ = Planner(io_game, map_->space, map_->graph, movers_, router_);
+  planner_ = Planner(io_game, map_->space, map_->graph, router_);
   fighter_ = Fighter(dice_);
   tried_items_.clear();
   in_vain_since_s_.reset();
+  planned_.reset();
   waypoint_ = 0;
   drop_task();
 }
@@ -80,7 +82,7 @@ net::Move Brain::think(server::Game& io_game, std::optional<math::Vec3> view_deg
   const Self self = feel_self(io_game, setup_.slot);
   if (view_deg) view_.set(*view_deg);
   if (!self.is_alive()) {
-    if (was_alive_) ++deaths_;
+    if (was_alive_) note_death(io_game, self);
     was_alive_ = false;
     drop_task();
     settled_since_s_ = now_s;
@@ -92,6 +94,7 @@ net::Move Brain::think(server::Game& io_game, std::optional<math::Vec3> view_deg
   if (!was_alive_) in_vain_since_s_.reset();
   was_alive_ = true;
   movers_.look(io_game, self.items);
+  planner_.set_items(self.items);
   Steering steering;
   steering.look_at = self.eye() + math::Vec3(math::basis_from_angles(view_.angles_deg()).forward) * 100.0f;
   acts_fire_ = false;
@@ -110,7 +113,9 @@ net::Move Brain::think(server::Game& io_game, std::optional<math::Vec3> view_deg
   if (fight) {
     haste = 2.2f;
     wanted = angles_towards(self.eye(), fight->aim_at);
-    if (steering.is_free && fight->stands_and_fights) {
+    // Badly wounded, with something in mind that helps, he fights on the way there.
+    const bool flees = self.health < kFleeHealth && is_side_task_ && task_ && task_->route.cost < kFleeCost;
+    if (steering.is_free && fight->stands_and_fights && !flees) {
       steering.velocity = fight->velocity;
       steering.jumps = false;
     }
@@ -124,6 +129,15 @@ net::Move Brain::think(server::Game& io_game, std::optional<math::Vec3> view_deg
     move.buttons |= kAttackButton;
   move.impulse = static_cast<std::uint8_t>(pending_impulse_);
   return move;
+}
+
+void Brain::note_death(server::Game& io_game, const Self& self) {
+  const server::Edict edict = io_game.player(setup_.slot);
+  const vm::EntityIndex inflictor = edict[field::kDamageInflictor];
+  const vm::EntityIndex owner = io_game.world().edicts.at(inflictor)[field::kOwner];
+  std::string by = class_name(io_game, owner == vm::kWorld ? inflictor : owner);
+  deaths_.push_back(fmt::format("by {} at {:.0f} {:.0f} {:.0f}, {}", by, self.origin.x, self.origin.y,
+                                self.origin.z, describe()));
 }
 
 net::Move Brain::move_for(const Self& self, const Steering& steering) {
@@ -197,7 +211,10 @@ void Brain::take_up(Task task, double now_s) {
 
 void Brain::work(server::Game& io_game, const Self& self, double now_s, Steering& out) {
   if (task_ && is_done(io_game, self)) {
-    if (!is_side_task_) planner_.note_use(task_->entity);
+    if (!is_side_task_) {
+      planner_.note_use(task_->entity);
+      planned_.reset();
+    }
     drop_task();
   }
   if (task_ && phase_ == Phase::kWalk && now_s - checked_route_s_ > kCheckRouteEvery_s) {
@@ -215,7 +232,7 @@ void Brain::work(server::Game& io_game, const Self& self, double now_s, Steering
         is_side_task_ = true;
       }
   }
-  if (!task_ && can_plan && now_s - planned_s_ > (in_vain_since_s_ ? kPlanEvery_s : 0.05))
+  if (!task_ && can_plan && now_s - planned_s_ > (in_vain_since_s_ ? kPlanEvery_s : 0.2))
     find_work(io_game, self, now_s);
   if (!task_) return;
   if (phase_ == Phase::kWalk) {
@@ -239,7 +256,7 @@ void Brain::act(server::Game& io_game, const Self& self, double now_s, Steering&
     if (is_side_task_)
       ++tried_items_[static_cast<std::uint32_t>(task.entity)];
     else
-      planner_.note_use(task.entity);
+      give_up_task(self);
     drop_task();
     return;
   }
@@ -261,12 +278,40 @@ void Brain::act(server::Game& io_game, const Self& self, double now_s, Steering&
   out.is_free = false;
 }
 
+void Brain::give_up_task(const Self& self) {
+  planner_.note_vain(task_->entity, self.origin);
+  planned_.reset();
+}
+
+std::vector<bool> Brain::premises(int items) const {
+  std::vector<bool> premises;
+  for (std::size_t i = 0; i < map_->facts.movers.size(); ++i)
+    for (int state = 0; state < map_->facts.movers[i].states; ++state)
+      premises.push_back(movers_.access(static_cast<int>(i), state) >= Access::kLocked);
+  for (int bit = 0; bit < 24; ++bit) premises.push_back((items >> bit & 1) != 0 && bit >= 17 && bit <= 18);
+  return premises;
+}
+
+std::optional<Task> Brain::interrupted_task(std::uint32_t at) {
+  std::optional<Route> route = router_.find(at, planned_->goals);
+  if (!route) return std::nullopt;
+  Task task = *planned_;
+  task.route = std::move(*route);
+  return task;
+}
+
 void Brain::find_work(server::Game&, const Self& self, double now_s) {
   planned_s_ = now_s;
   is_side_task_ = false;
   const int at = map_->graph.nearest(self.origin);
   std::optional<Task> task;
-  if (at >= 0) task = next_task(static_cast<std::uint32_t>(at), now_s);
+  const std::vector<bool> premises = this->premises(self.items);
+  if (planned_ && at >= 0 && premises == planned_on_) task = interrupted_task(static_cast<std::uint32_t>(at));
+  if (!task && at >= 0) {
+    task = next_task(static_cast<std::uint32_t>(at));
+    planned_ = task;
+    planned_on_ = premises;
+  }
   if (task) {
     in_vain_since_s_.reset();
     take_up(std::move(*task), now_s);
@@ -284,10 +329,12 @@ void Brain::find_work(server::Game&, const Self& self, double now_s) {
   }
 }
 
-std::optional<Task> Brain::next_task(std::uint32_t at, double) {
+std::optional<Task> Brain::next_task(std::uint32_t at) {
   if (auto task = task_for_waypoint(at)) return task;
-  if (setup_.visits_secrets)
+  if (setup_.visits_secrets) {
     if (auto task = task_for_secret(at)) return task;
+    if (waits_for_secret_) return std::nullopt;
+  }
   return task_for_exit(at);
 }
 
@@ -310,6 +357,7 @@ std::optional<Task> Brain::task_for_waypoint(std::uint32_t at) {
 
 std::optional<Task> Brain::task_for_secret(std::uint32_t at) {
   std::optional<Task> best;
+  waits_for_secret_ = false;
   for (const vm::EntityIndex secret : map_->facts.secrets) {
     const auto number = static_cast<std::uint32_t>(secret);
     if (hopeless_secrets_.contains(number) || !server::is_there(game_->world(), secret)) continue;
@@ -318,7 +366,12 @@ std::optional<Task> Brain::task_for_secret(std::uint32_t at) {
         game_->machine().program().name_of(edict[field::kTouch]) == "nothing")
       continue;
     std::optional<Task> task = planner_.plan(at, planner_.task_for(TaskKind::kTouch, secret));
-    if (!task || planner_.uses(secret) > 3) {
+    // Something on the way may be moving just now.
+    if (!task && ++vain_secrets_[number] < kSecretTries) {
+      waits_for_secret_ = true;
+      continue;
+    }
+    if (!task || planner_.uses(secret) > kSecretTries) {
       hopeless_secrets_.insert(number);
       complain(fmt::format("secret not reached: {}", player::describe(*game_, secret)));
       for (const std::string& reason : planner_.why_not()) complain("  " + reason);

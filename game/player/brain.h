@@ -42,14 +42,18 @@ class Brain {
   const std::vector<std::string>& complaints() const { return complaints_; }
   // What he is about, for messages.
   std::string describe() const;
-  int deaths() const { return deaths_; }
+  // A line each: where, and of what.
+  const std::vector<std::string>& deaths() const { return deaths_; }
   // Whether that mover was open at any time since the level began.
   bool saw_open(int mover) const { return movers_.was_opened(mover); }
 
  private:
   enum class Phase { kWalk, kAct };
 
-  std::optional<Task> next_task(std::uint32_t at, double now_s);
+  std::optional<Task> next_task(std::uint32_t at);
+  std::optional<Task> interrupted_task(std::uint32_t at);
+  // What a plan rests upon: which movers are locked, and the keys.
+  std::vector<bool> premises(int items) const;
   std::optional<Task> task_for_waypoint(std::uint32_t at);
   std::optional<Task> task_for_secret(std::uint32_t at);
   std::optional<Task> task_for_exit(std::uint32_t at);
@@ -63,8 +67,10 @@ class Brain {
   bool route_has_shut() const;
   void work(server::Game& io_game, const Self& self, double now_s, Steering& out);
   void act(server::Game& io_game, const Self& self, double now_s, Steering& out);
+  void give_up_task(const Self& self);
   void find_work(server::Game& io_game, const Self& self, double now_s);
   net::Move move_for(const Self& self, const Steering& steering);
+  void note_death(server::Game& io_game, const Self& self);
   void complain(const std::string& text);
 
   const LevelMap* map_;
@@ -78,17 +84,22 @@ class Brain {
   Fighter fighter_;
   View view_;
   std::optional<Task> task_;
+  std::optional<Task> planned_;  // taken up again after a detour
+  std::vector<bool> planned_on_;
   bool is_side_task_ = false;
   Phase phase_ = Phase::kWalk;
   double phase_since_s_ = 0, looked_for_items_s_ = 0, planned_s_ = -10, checked_route_s_ = 0;
   std::optional<double> in_vain_since_s_;
   double settled_since_s_ = 0;
   std::set<std::uint32_t> hopeless_secrets_;
+  std::map<std::uint32_t, int> vain_secrets_;  // how often there was no way to one
+  bool waits_for_secret_ = false;
   std::map<std::uint32_t, int> tried_items_;
   std::size_t waypoint_ = 0;
   std::vector<std::string> complaints_;
   bool has_given_up_ = false, was_alive_ = true, jumped_ = false, acts_fire_ = false;
-  int deaths_ = 0, pending_impulse_ = 0;
+  int pending_impulse_ = 0;
+  std::vector<std::string> deaths_;
   std::uint64_t tick_ = 0;
 };
 

@@ -12,13 +12,13 @@ namespace {
 
 namespace field = server::field;
 
-constexpr float kFarthest_units = 1000, kFarthestAsleep_units = 700;
+constexpr float kFarthest_units = 900, kFarthestAsleep_units = 500;
 constexpr double kChooseEvery_s = 0.15;
 constexpr double kVain_s = 7, kIgnore_s = 12;
-constexpr float kStrafeSpeed = 320;
+constexpr float kStrafeSpeed = 320, kAxeFight_units = 110;
 constexpr float kProbe_units = 56;
 constexpr float kTooClose_units = 190, kFarForShot_units = 480;
-constexpr double kWeaponPause_s = 0.5;
+constexpr double kWeaponPause_s = 0.5, kMotion_s = 0.2;
 
 struct Weapon {
   int bit = 0, impulse = 0;
@@ -34,9 +34,9 @@ constexpr std::array<Weapon, 8> kWeapons = {{
     {64, 8, &Self::cells, 4, 0, 560, 0, false},
     {8, 5, &Self::nails, 8, 0, 900, 1000, false},
     {32, 7, &Self::rockets, 1, 190, 1200, 1000, true},
-    {2, 3, &Self::shells, 2, 0, 450, 0, false},
+    {2, 3, &Self::shells, 2, 0, 300, 0, false},
     {4, 4, &Self::nails, 4, 0, 900, 1000, false},
-    {1, 2, &Self::shells, 1, 0, 1200, 0, false},
+    {1, 2, &Self::shells, 1, 0, 700, 0, false},
     {16, 6, &Self::rockets, 1, 180, 420, 600, true},
     {4096, 1, nullptr, 0, 0, 1200, 0, false},
 }};
@@ -57,6 +57,17 @@ const Weapon& choose_weapon(const Self& self, float distance, bool only_bursts) 
   return kWeapons.back();
 }
 
+bool has_bursting_weapon(const Self& self) {
+  return std::any_of(kWeapons.begin(), kWeapons.end(),
+                     [&](const Weapon& weapon) { return weapon.bursts && can_use(self, weapon); });
+}
+
+bool has_gun(const Self& self) {
+  return std::any_of(kWeapons.begin(), kWeapons.end(), [&](const Weapon& weapon) {
+    return weapon.ammunition != nullptr && can_use(self, weapon);
+  });
+}
+
 const Weapon& in_hand(const Self& self) {
   for (const Weapon& weapon : kWeapons)
     if (weapon.bit == self.weapon) return weapon;
@@ -73,11 +84,34 @@ bool is_melee_class(std::string_view name) {
   return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
-// Fellow players are not to be hit.
-bool is_way_clear_of_friends(server::Game& io_game, const Self& self, const math::Vec3& to) {
+constexpr float kBlast_units = 190;
+
+bool is_explosive(server::Game& io_game, const server::Edict& edict) {
+  return edict[field::kTakeDamage] != 0 && class_name(io_game, edict.index()).starts_with("misc_explobox");
+}
+
+// Neither fellow players nor what would burst beside him are to be hit.
+bool is_shot_safe(server::Game& io_game, const Self& self, const math::Vec3& to) {
   const server::EntityTrace trace = server::trace_move(io_game.world(), self.eye(), {0, 0, 0}, {0, 0, 0}, to,
                                                        server::MoveKind::kNormal, self.entity);
-  return !trace.hit || !io_game.world().edicts.is_client(trace.entity);
+  if (!trace.hit || trace.entity == vm::kWorld) return true;
+  if (io_game.world().edicts.is_client(trace.entity)) return false;
+  const server::Edict edict = io_game.world().edicts[trace.entity];
+  return !is_explosive(io_game, edict) || glm::distance(middle(edict), self.origin) > kBlast_units;
+}
+
+// Away from boxes that may burst; 0: there are none near.
+math::Vec3 away_from_explosives(server::Game& io_game, const Self& self) {
+  server::GameWorld& world = io_game.world();
+  math::Vec3 away(0.0f);
+  for (std::uint32_t i = 1 + world.edicts.client_count(); i < world.edicts.count(); ++i) {
+    if (world.edicts.is_free(vm::EntityIndex{i})) continue;
+    const server::Edict edict = world.edicts[vm::EntityIndex{i}];
+    const math::Vec3 way = self.origin - middle(edict);
+    if (glm::length(way) < kBlast_units && is_explosive(io_game, edict))
+      away += math::Vec3(way.x, way.y, 0) / std::max(glm::length(math::Vec2(way)), 1.0f);
+  }
+  return away;
 }
 
 math::Vec3 turned(const math::Vec3& v, float radians) {
@@ -115,6 +149,7 @@ std::optional<vm::EntityIndex> Fighter::choose(server::Game& io_game, const Self
     const bool is_awake = world.edicts.is_client(edict[field::kEnemy]);
     if (value > (is_awake ? kFarthest_units : kFarthestAsleep_units)) continue;
     if (!sees(world, self.entity, self.eye(), at)) continue;
+    if (edict.has_flag(server::flag::kSwim) && self.water_level == 0) continue;  // stays in its water
     if (!is_awake) value += 300;
     if (enemy_ == entity) value -= 120;
     if (value >= best_value) continue;
@@ -134,6 +169,12 @@ math::Vec3 Fighter::choose_way(server::Game& io_game, const Self& self, const ma
   const float distance = glm::length(math::Vec2(way));
   const math::Vec3 ahead =
       distance > 1 ? math::Vec3(way.x / distance, way.y / distance, 0) : math::Vec3(1, 0, 0);
+  if (const math::Vec3 away = away_from_explosives(io_game, self); away != math::Vec3(0.0f))
+    for (const float angle : {0.0f, 0.7f, -0.7f, 1.4f, -1.4f}) {
+      const math::Vec3 direction = turned(glm::normalize(away), angle);
+      if (can_walk(io_game.world(), self.entity, self.origin, self.origin + direction * kProbe_units))
+        return direction * kStrafeSpeed;
+    }
   // Across, leaning away from what bites and towards what is far.
   float lean = 1.5f;
   if (distance < (is_melee ? 260 : kTooClose_units)) lean = 2.4f;
@@ -152,6 +193,16 @@ math::Vec3 Fighter::choose_way(server::Game& io_game, const Self& self, const ma
   return math::Vec3(0.0f);
 }
 
+// Over a fifth of a second: monsters go by steps.
+void Fighter::note_motion(const math::Vec3& at, double now_s, Grudge& io_grudge) {
+  const double passed_s = now_s - io_grudge.seen_s;
+  if (passed_s < kMotion_s) return;
+  io_grudge.velocity =
+      passed_s < 3 * kMotion_s ? (at - io_grudge.seen_at) / static_cast<float>(passed_s) : math::Vec3(0.0f);
+  io_grudge.seen_at = at;
+  io_grudge.seen_s = now_s;
+}
+
 std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self, double now_s) {
   server::GameWorld& world = io_game.world();
   if (now_s - chosen_s_ > kChooseEvery_s) {
@@ -167,7 +218,8 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   Grudge& grudge = grudges_[static_cast<std::uint32_t>(*enemy_)];
   if (now_s - grudge.hit_s > kVain_s && now_s - grudge.since_s > kVain_s && grudge.since_s > 0) {
     if (grudge.health <= edict[field::kHealth] && now_s - grudge.since_s < 3 * kVain_s) {
-      grudge = {.ignored_until_s = now_s + kIgnore_s};
+      grudge = Grudge();
+      grudge.ignored_until_s = now_s + kIgnore_s;
       enemy_.reset();
       return std::nullopt;
     }
@@ -176,11 +228,15 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   if (grudge.since_s == 0) grudge.since_s = grudge.hit_s = now_s;
   if (edict[field::kHealth] < grudge.health) grudge.hit_s = now_s;
   grudge.health = edict[field::kHealth];
+  note_motion(edict[field::kOrigin], now_s, grudge);
 
   const std::string name = class_name(io_game, *enemy_);
   FightPlan plan{.enemy = *enemy_};
   plan.aim_at = middle(edict);
   const float distance = glm::distance(plan.aim_at, self.eye());
+  // What cannot be burst is only knocked down on the way.
+  plan.stands_and_fights = (name != "monster_zombie" || has_bursting_weapon(self)) && self.water_level == 0 &&
+                           (has_gun(self) || distance < kAxeFight_units);
   const Weapon& wanted = choose_weapon(self, distance, name == "monster_zombie");
   if (wanted.bit != self.weapon && now_s - changed_weapon_s_ > kWeaponPause_s) {
     plan.impulse = wanted.impulse;
@@ -189,16 +245,14 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   const Weapon& weapon = in_hand(self);
   if (weapon.missile_speed > 0) {
     const float flight_s = distance / weapon.missile_speed;
-    const math::Vec3 velocity = edict[field::kVelocity];
-    plan.aim_at += math::Vec3(velocity.x, velocity.y, 0) * flight_s;
+    plan.aim_at += math::Vec3(grudge.velocity.x, grudge.velocity.y, 0) * flight_s;
     if (weapon.bit == 16) plan.aim_at.z += distance * 0.12f;
     if (weapon.bit == 32 && distance > 250) plan.aim_at.z -= 16;  // its feet
   }
   plan.tolerance_deg = std::max(1.5f, std::atan2(14.0f, distance) * 57.3f);
   const bool is_axe = weapon.bit == 4096;
-  plan.fires = distance < (is_axe ? 80.0f : weapon.farthest + 300) && !(weapon.bursts && distance < 120) &&
-               sees(world, self.entity, self.eye(), plan.aim_at) &&
-               is_way_clear_of_friends(io_game, self, plan.aim_at);
+  plan.fires = distance < (is_axe ? 80.0f : weapon.farthest + 60) && !(weapon.bursts && distance < 120) &&
+               sees(world, self.entity, self.eye(), plan.aim_at) && is_shot_safe(io_game, self, plan.aim_at);
   if (is_axe) {
     const math::Vec3 way = plan.aim_at - self.origin;
     const float level = std::max(glm::length(math::Vec2(way)), 1.0f);

@@ -33,7 +33,10 @@ class Fighter {
   struct Grudge {
     double since_s = 0, hit_s = 0, ignored_until_s = 0;
     float health = 0;
+    math::Vec3 seen_at{0.0f}, velocity{0.0f};  // monsters walk without having a velocity
+    double seen_s = 0;
   };
+  static void note_motion(const math::Vec3& at, double now_s, Grudge& io_grudge);
   std::optional<vm::EntityIndex> choose(server::Game& io_game, const Self& self, double now_s);
   math::Vec3 choose_way(server::Game& io_game, const Self& self, const math::Vec3& enemy, bool is_melee,
                         double now_s);

@@ -14,11 +14,13 @@ using movement::kStepHeight;
 
 constexpr float kJumpSpeed = 270, kJumpHeight = 45;
 constexpr std::array<float, 3> kRunSpeeds = {300, 220, 140};
+constexpr float kHopSpeed = 120;
 constexpr float kLeastJump_units = 40;
 constexpr float kJumpGain_units = 24;  // a jump that ends no higher than a fall there is none
 constexpr float kSwimStep_units = 24;
 constexpr float kClimbOut_units = 50;
-constexpr float kSameFloor_units = 10;
+constexpr float kLeastDive_units = 4;
+constexpr float kSameFloor_units = 10, kSameDepth_units = 10;
 constexpr float kDeep_units = 4096;
 constexpr std::size_t kMaxAssignments = 24;
 constexpr float kHarmlessFall_units = 256;
@@ -141,6 +143,11 @@ Flood::Step Flood::step(const math::Vec3& from, const math::Vec3& to, bool swims
   const Meeting across = space_.trace(from, to, movers);
   if (across.trace.start_solid) return {};
   math::Vec3 over = to;
+  const math::Vec3& end = across.trace.end;
+  const bool dives = swims && to.x == from.x && to.y == from.y;
+  if (dives && std::abs(end.z - from.z) < kLeastDive_units) return {};
+  if (dives && space_.water_level(end) >= movement::kSwimmingLevel) return {Step::End::kSwims, end, -1};
+  if (dives) return {};
   if (across.trace.fraction < 1) {
     const Meeting up = space_.trace(from, from + math::Vec3(0, 0, kStepHeight), movers);
     const Meeting on = space_.trace(up.trace.end, {to.x, to.y, up.trace.end.z}, movers);
@@ -192,7 +199,8 @@ void Flood::try_hop(const Place& place, const math::Vec3& direction, Movers move
   const Meeting up = space_.trace(place.at, place.at + math::Vec3(0, 0, kJumpHeight), movers);
   const Meeting on = space_.trace(up.trace.end, up.trace.end + direction * 20.0f, movers);
   if (on.trace.fraction < 0.2f) return;
-  const FlightEnd end = fly(space_, place.at, {{0, 0, kJumpSpeed}, direction}, movers);
+  const FlightEnd end =
+      fly(space_, place.at, {direction * kHopSpeed + math::Vec3(0, 0, kJumpSpeed), direction}, movers);
   if (end.end != Flight::End::kStands || end.place.z < place.at.z + 8) return;
   add_found({.kind = WayKind::kHop, .at = end.place, .mover = end.mover, .cost = 90}, movers, io_found);
 }
@@ -300,9 +308,11 @@ void Flood::note_triggers(Place& io_place) const {
 
 std::optional<std::uint32_t> Flood::add_place(const math::Vec3& at, int mover, int state, bool swims) {
   std::vector<std::uint32_t>& cell = graph_.cells_[graph_.cell_of(at)];
+  const float same = swims ? kSameDepth_units : kSameFloor_units;
   for (const std::uint32_t i : cell) {
     const Place& known = graph_.places_[i];
-    if (known.mover == mover && known.state == state && std::abs(known.at.z - at.z) < kSameFloor_units)
+    if (known.mover == mover && known.state == state && known.swims == swims &&
+        std::abs(known.at.z - at.z) < same)
       return i;
   }
   if (graph_.places_.size() == limits_.places) return std::nullopt;

@@ -24,7 +24,7 @@ int run(int argument_count, char** arguments) {
   RunSetup setup;
   setup.session.map = "start";
   int players = 0;
-  std::string record, report_file, base_folder, program_file;
+  std::string record, report_file, place_file, base_folder, program_file;
   std::vector<float> waypoints;
   bool is_peaceful = false, is_verbose = false;
   program.add_option("--basedir", base_folder, "Folder that holds id1")->required();
@@ -39,6 +39,7 @@ int run(int argument_count, char** arguments) {
   program.add_option("--waypoints", waypoints, "Places to visit first: X Y Z X Y Z ...");
   program.add_option("--record", record, "Writes what the first player sees (.dem)");
   program.add_option("--report", report_file, "Writes what was found as JSON");
+  program.add_option("--places", place_file, "Writes every place that a player can get to, as text");
   program.add_flag("--secrets", setup.visits_secrets, "Visits every secret");
   program.add_flag("--god", setup.has_god, "Cannot be hurt");
   program.add_flag("--peaceful", is_peaceful, "Does not fight");
@@ -54,6 +55,7 @@ int run(int argument_count, char** arguments) {
   setup.records = !record.empty();
   for (std::size_t i = 0; i + 2 < waypoints.size(); i += 3)
     setup.waypoints.push_back({waypoints[i], waypoints[i + 1], waypoints[i + 2]});
+  setup.lists_places = !place_file.empty();
   if (is_verbose) setup.tell = [](std::string_view line) { fmt::print(stderr, "{}\n", line); };
 
   const base::Result<RunReport> report = play_level(setup);
@@ -65,6 +67,7 @@ int run(int argument_count, char** arguments) {
              players > 0 ? fmt::format(" coop {}", players) : std::string(), as_text(*report));
   const std::string json = as_json(*report);
   if (!report_file.empty() && !write(report_file, base::as_bytes(json))) return 2;
+  if (!place_file.empty() && !write(place_file, base::as_bytes(report->place_list))) return 2;
   if (!record.empty() && !write(record, report->recording)) return 2;
   return report->reached_exit ? 0 : 1;
 }

@@ -25,6 +25,12 @@ bool is_in_wall(server::GameWorld& io_world, const server::Edict& edict) {
 
 MonsterWatch::MonsterWatch(server::Game& io_game) : fields_(io_game.machine().program()) {}
 
+std::vector<std::string> MonsterWatch::idle() const {
+  std::vector<std::string> lines;
+  for (const auto& [name, line] : idle_) lines.push_back(line);
+  return lines;
+}
+
 bool MonsterWatch::fights(server::Game& io_game, const server::Edict& monster) const {
   server::GameWorld& world = io_game.world();
   const vm::EntityIndex enemy = monster[field::kEnemy];
@@ -55,14 +61,16 @@ void MonsterWatch::look(server::Game& io_game, double now_s) {
     watched.doings.insert(fields_.number(edict, "seq_first"));
     watched.finishes.insert(fields_.number(edict, "attack_finished"));
     if (glm::distance(at, watched.at) > kMoved_units || watched.doings.size() > 1 ||
-        watched.finishes.size() > 1 || !fights(io_game, edict)) {
+        watched.finishes.size() > 1 || edict[field::kHealth] != watched.health || !fights(io_game, edict)) {
       watched.at = at;
+      watched.health = edict[field::kHealth];
       watched.since_s = now_s;
       watched.doings = {fields_.number(edict, "seq_first")};
       watched.finishes = {fields_.number(edict, "attack_finished")};
     } else if (now_s - watched.since_s > kIdle_s) {
       const math::Vec3 enemy = world.edicts.at(edict[field::kEnemy])[field::kOrigin];
-      idle_.insert(
+      idle_.try_emplace(
+          watched.name,
           fmt::format("{}: stands at {:.0f} {:.0f} {:.0f} and sees its enemy at {:.0f} {:.0f} {:.0f}",
                       watched.name, at.x, at.y, at.z, enemy.x, enemy.y, enemy.z));
       watched.since_s = now_s + 1e6;  // once

@@ -62,7 +62,7 @@ Access MoverWatch::access_door(const Mover& mover, const Seen& seen, int state) 
     return mover.stays_open || mover.key != 0 ? Access::kNever : Access::kSelf;
   }
   // A secret door on its way out, or back to come again.
-  if (mover.kind == MoverKind::kSecretDoor && seen.state != 0 && seen.is_moving) return Access::kSelf;
+  if (mover.kind == MoverKind::kSecretDoor && seen.state != 0) return Access::kSelf;
   if (mover.key != 0) return (items_ & mover.key) != 0 ? Access::kSelf : Access::kLocked;
   return mover.opens_by_itself ? Access::kSelf : Access::kLocked;
 }

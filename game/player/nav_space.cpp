@@ -12,7 +12,7 @@ namespace {
 
 constexpr math::Bounds kPlayerBox{movement::kPlayerMins, movement::kPlayerMaxs};
 constexpr float kNear_units = 2;
-constexpr float kFlightStep_s = 1.0f / 36;
+constexpr float kFlightStep_s = 1.0f / 72;
 constexpr float kLongestFlight_s = 4;
 constexpr float kGravity = 800, kMaxSpeed = 320, kMaxVelocity = 2000;
 constexpr float kSteerSpeed = 30;
@@ -134,6 +134,23 @@ bool NavSpace::is_line_free(const math::Vec3& from, const math::Vec3& to) const 
   return true;
 }
 
+bool NavSpace::is_line_free_of_movers(const math::Vec3& from, const math::Vec3& to,
+                                      const math::Bounds& target) const {
+  const auto is_free_of = [&](world::ModelIndex model, const math::Vec3& origin) {
+    const world::Trace trace =
+        world::trace_line(*level_, model, world::Hull::kPoint, from - origin, to - origin);
+    if (trace.fraction == 1) return true;
+    const math::Vec3 at = trace.end + origin;
+    return boxes_meet({at - kNear_units, at + kNear_units}, target);
+  };
+  for (const StillModel& still : facts_->still_models)
+    if (!is_free_of(still.model, still.origin)) return false;
+  for (const Mover& mover : facts_->movers)
+    for (const MoverPart& part : mover.parts)
+      if (!is_free_of(part.model, part.places[0])) return false;
+  return true;
+}
+
 world::Contents NavSpace::contents(const math::Vec3& point) const {
   const world::Contents contents =
       world::hull_contents(*level_, world::ModelIndex{0}, world::Hull::kPoint, point);
@@ -170,8 +187,9 @@ FlightEnd fly(const NavSpace& space, const math::Vec3& from, const Flight& fligh
     body.on_ground = false;
     // Nothing here can fail: nobody is called.
     if (!movement::slide(body, kFlightStep_s, environment).ok()) return {};
-    if (space.is_in_lava(body.origin)) return {};
-    if (space.water_level(body.origin) >= movement::kSwimmingLevel)
+    const world::Contents feet = space.contents(body.origin + math::Vec3(0, 0, kPlayerBox.mins.z + 1));
+    if (feet == world::Contents::kLava) return {};
+    if (movement::is_liquid(feet) && space.water_level(body.origin) >= movement::kSwimmingLevel)
       return {Flight::End::kSwims, body.origin, -1, time_s};
     if (body.on_ground) return {Flight::End::kStands, body.origin, static_cast<int>(body.ground) - 1, time_s};
   }

@@ -38,6 +38,8 @@ class NavSpace {
   bool is_free(const math::Vec3& place, std::span<const MoverPlace> movers) const;
   // A line as shots go, among what never moves.
   bool is_line_free(const math::Vec3& from, const math::Vec3& to) const;
+  // Nor is a door or the like, as it stands at first, before that box, which may be one's own.
+  bool is_line_free_of_movers(const math::Vec3& from, const math::Vec3& to, const math::Bounds& target) const;
   world::Contents contents(const math::Vec3& point) const;
   // 0 to 3, as movement has it.
   int water_level(const math::Vec3& place) const;

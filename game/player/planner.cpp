@@ -10,10 +10,12 @@ namespace {
 namespace field = server::field;
 
 constexpr int kSilverKey = 131072;
-constexpr float kPressReach_units = 14, kItemReach_units = 6, kKillReach_units = 48;
+constexpr float kPressReach_units = 14, kItemReach_units = 6;
+constexpr std::array<float, 3> kKillReaches_units = {48, 160, 400};
 constexpr float kShootReach_units = 900, kAimSlack_units = 6;
 constexpr float kUseCost = 2500;
-constexpr int kMaxDetours = 6, kMaxRelays = 6, kMaxUses = 6;
+constexpr float kVain_units = 36;
+constexpr int kMaxDetours = 4, kMaxRelays = 6, kMaxUses = 6;
 constexpr math::Vec3 kEyes{0, 0, 22};
 
 }  // namespace
@@ -47,8 +49,9 @@ Task Planner::task_for(TaskKind kind, vm::EntityIndex entity) {
       task.goals = graph_->touching(task.box, kItemReach_units);
       break;
     case TaskKind::kKill:
-      task.goals = graph_->touching(task.box, kKillReach_units);
-      if (task.goals.empty()) task.goals = places_to_shoot(task.box);
+      // It may stand where no player can.
+      for (const float reach : kKillReaches_units)
+        if (task.goals.empty()) task.goals = graph_->touching(task.box, reach);
       break;
     case TaskKind::kShoot: {
       auto& places = shooting_places_[static_cast<std::uint32_t>(entity)];
@@ -57,7 +60,25 @@ Task Planner::task_for(TaskKind kind, vm::EntityIndex entity) {
       break;
     }
   }
+  leave_out_vain(task);
   return task;
+}
+
+void Planner::note_vain(vm::EntityIndex entity, const math::Vec3& from) {
+  note_use(entity);
+  vain_[static_cast<std::uint32_t>(entity)].push_back(from);
+}
+
+void Planner::leave_out_vain(Task& io_task) const {
+  const auto vain = vain_.find(static_cast<std::uint32_t>(io_task.entity));
+  if (vain == vain_.end()) return;
+  std::vector<std::uint32_t> left;
+  for (const std::uint32_t goal : io_task.goals)
+    if (std::none_of(vain->second.begin(), vain->second.end(), [&](const math::Vec3& from) {
+          return glm::distance(from, graph_->place(goal).at) < kVain_units;
+        }))
+      left.push_back(goal);
+  if (!left.empty()) io_task.goals = std::move(left);
 }
 
 std::vector<std::uint32_t> Planner::places_to_shoot(const math::Bounds& box) const {
@@ -68,13 +89,16 @@ std::vector<std::uint32_t> Planner::places_to_shoot(const math::Bounds& box) con
     if (glm::distance(eye, aim) > kShootReach_units) continue;
     const world::Trace trace =
         world::trace_line(space_->level(), world::ModelIndex{0}, world::Hull::kPoint, eye, aim);
-    if (boxes_meet({trace.end - kAimSlack_units, trace.end + kAimSlack_units}, box)) found.push_back(i);
+    if (boxes_meet({trace.end - kAimSlack_units, trace.end + kAimSlack_units}, box) &&
+        space_->is_line_free_of_movers(eye, aim, box))
+      found.push_back(i);
   }
   return found;
 }
 
 std::optional<Task> Planner::plan(std::uint32_t from, Task goal) {
   why_not_.clear();
+  router_->survey(from);
   std::vector<int> visited;
   return plan_inner(from, std::move(goal), visited);
 }
@@ -84,7 +108,7 @@ std::optional<Task> Planner::plan_inner(std::uint32_t from, Task goal, std::vect
     why_not_.push_back(fmt::format("{}: no place from which a player can start leads there", goal.describe));
     return std::nullopt;
   }
-  if (std::optional<Route> route = router_->find(from, goal.goals)) {
+  if (std::optional<Route> route = router_->find_surveyed(goal.goals)) {
     goal.route = std::move(*route);
     return goal;
   }
@@ -92,8 +116,7 @@ std::optional<Task> Planner::plan_inner(std::uint32_t from, Task goal, std::vect
   for (int detour = 0; detour < kMaxDetours; ++detour) {
     const std::optional<Route> route = router_->find(from, goal.goals, rules);
     if (!route || route->locked_mover < 0) {
-      why_not_.push_back(
-          fmt::format("{}: there is no way there, even through what is locked", goal.describe));
+      note_dead_end(goal, detour > 0);
       return std::nullopt;
     }
     const int mover = route->locked_mover;
@@ -106,6 +129,16 @@ std::optional<Task> Planner::plan_inner(std::uint32_t from, Task goal, std::vect
     rules.banned_movers.push_back(mover);
   }
   return std::nullopt;
+}
+
+void Planner::note_dead_end(const Task& goal, bool is_detour) {
+  if (is_detour) return;
+  const std::optional<math::Vec3> near = router_->nearest_reached(goal.box);
+  const math::Vec3 at = near.value_or(math::Vec3(0.0f));
+  why_not_.push_back(
+      fmt::format("{}: no way leads there, even with everything open; the nearest that one gets is {:.0f} "
+                  "{:.0f} {:.0f}",
+                  goal.describe, at.x, at.y, at.z));
 }
 
 std::optional<Task> Planner::best_way_to_open(std::uint32_t from, int mover, std::vector<int>& io_visited) {
@@ -128,6 +161,11 @@ std::optional<Task> Planner::best_way_to_open(std::uint32_t from, int mover, std
 std::vector<Task> Planner::ways_to_open(int mover) {
   const Mover& m = space_->facts().movers[static_cast<std::size_t>(mover)];
   std::vector<Task> tasks;
+  if (m.key != 0 && (items_ & m.key) != 0) {
+    // Nothing but a touch of it is missing.
+    for (const MoverPart& part : m.parts) tasks.push_back(task_for(TaskKind::kPress, part.entity));
+    return tasks;
+  }
   if (m.key != 0) {
     const char* key = m.key == kSilverKey ? "item_key1" : "item_key2";
     server::GameWorld& world = game_->world();
@@ -137,6 +175,7 @@ std::vector<Task> Planner::ways_to_open(int mover) {
           world.edicts[entity].solid() != server::Solid::kTrigger)
         continue;
       tasks.push_back(task_for(TaskKind::kTake, entity));
+      tasks.back().opens = mover;
     }
     if (tasks.empty()) why_not_.push_back(fmt::format("{}: the level has no {} left", m.describe, key));
     return tasks;

@@ -29,12 +29,11 @@ struct Task {
 
 class Planner {
  public:
-  Planner(server::Game& io_game, const NavSpace& space, const NavGraph& graph, const MoverWatch& movers,
-          Router& io_router)
-      : game_(&io_game), space_(&space), graph_(&graph), movers_(&movers), router_(&io_router) {}
+  Planner(server::Game& io_game, const NavSpace& space, const NavGraph& graph, Router& io_router)
+      : game_(&io_game), space_(&space), graph_(&graph), router_(&io_router) {}
 
-  // The game has been set up again: entities are the same.
-  void set_game(server::Game& io_game) { game_ = &io_game; }
+  // What the player carries: keys.
+  void set_items(int items) { items_ = items; }
 
   // The next thing to do from there; nothing: it cannot be reached, see why_not().
   std::optional<Task> plan(std::uint32_t from, Task goal);
@@ -44,10 +43,14 @@ class Planner {
   Task task_for(TaskKind kind, vm::EntityIndex entity);
   // It was done, or tried in vain.
   void note_use(vm::EntityIndex entity) { ++uses_[static_cast<std::uint32_t>(entity)]; }
+  // In vain, from there: other places are tried first.
+  void note_vain(vm::EntityIndex entity, const math::Vec3& from);
   int uses(vm::EntityIndex entity) const;
 
  private:
   std::optional<Task> plan_inner(std::uint32_t from, Task goal, std::vector<int>& io_visited);
+  void leave_out_vain(Task& io_task) const;
+  void note_dead_end(const Task& goal, bool is_detour);
   std::vector<Task> ways_to_open(int mover);
   void add_firing(const std::string& name, int depth, std::vector<Task>& io_tasks,
                   std::vector<int>& io_doors);
@@ -58,9 +61,10 @@ class Planner {
   server::Game* game_;
   const NavSpace* space_;
   const NavGraph* graph_;
-  const MoverWatch* movers_;
   Router* router_;
+  int items_ = 0;
   std::map<std::uint32_t, int> uses_;
+  std::map<std::uint32_t, std::vector<math::Vec3>> vain_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> shooting_places_;
   std::vector<std::string> why_not_;
 };

@@ -27,14 +27,16 @@ std::string as_json(const RunReport& report) {
 }
 
 std::string as_text(const RunReport& report) {
-  std::string text = fmt::format(
-      "{} after {:.1f} s, {} of {} monsters, {} of {} secrets, {} deaths; {} places, {} ways\n",
-      report.reached_exit ? fmt::format("exit reached") : "NO EXIT", report.time_s, report.kills,
-      report.monsters, report.found_secrets, report.secrets, report.deaths, report.places, report.ways);
+  std::string text =
+      fmt::format("{} after {:.1f} s, {} of {} monsters, {} of {} secrets, {} deaths; {} places, {} ways\n",
+                  report.reached_exit ? fmt::format("exit to {} reached", report.exit) : "NO EXIT",
+                  report.time_s, report.kills, report.monsters, report.found_secrets, report.secrets,
+                  report.deaths.size(), report.places, report.ways);
   const auto add = [&](const char* what, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) text += fmt::format("  {}: {}\n", what, line);
   };
   add("fault", report.complaints);
+  add("died", report.deaths);
   add("in a wall", report.stuck_monsters);
   add("idle", report.idle_monsters);
   add("never opened", report.closed_doors);

@@ -21,6 +21,7 @@ void Router::blame(std::uint32_t from, std::uint32_t to, float cost) {
 
 float Router::cost_of(std::uint32_t from, const Way& way, const RouteRules& rules, bool& out_locked) const {
   float cost = way.cost;
+  if (way.demands[0].mover < 0 && blamed_.empty()) return cost;
   for (const Demand& demand : way.demands) {
     if (demand.mover < 0) continue;
     const auto& banned = rules.banned_movers;
@@ -77,6 +78,41 @@ void Router::search(std::uint32_t from, const RouteRules& rules) {
   }
 }
 
+void Router::survey(std::uint32_t from) {
+  search(from, {});
+  surveyed_costs_ = costs_;
+  surveyed_from_ = came_from_;
+  surveyed_by_ = came_by_;
+  surveyed_start_ = from;
+}
+
+std::optional<Route> Router::find_surveyed(std::span<const std::uint32_t> goals) const {
+  std::uint32_t best = 0;
+  float best_cost = kUnreached;
+  for (const std::uint32_t goal : goals) {
+    if (surveyed_costs_[goal] >= best_cost) continue;
+    best_cost = surveyed_costs_[goal];
+    best = goal;
+  }
+  if (best_cost >= kUnreached) return std::nullopt;
+  return trace_back(surveyed_start_, best, surveyed_costs_, surveyed_from_, surveyed_by_);
+}
+
+Route Router::trace_back(std::uint32_t from, std::uint32_t to, std::span<const float> costs,
+                         std::span<const std::uint32_t> came_from,
+                         std::span<const std::uint32_t> came_by) const {
+  Route route;
+  route.cost = costs[to];
+  for (std::uint32_t at = to; at != from; at = came_from[at]) {
+    route.places.push_back(at);
+    route.ways.push_back(graph_->place(came_from[at]).ways[came_by[at]]);
+  }
+  route.places.push_back(from);
+  std::reverse(route.places.begin(), route.places.end());
+  std::reverse(route.ways.begin(), route.ways.end());
+  return route;
+}
+
 std::optional<Route> Router::find(std::uint32_t from, std::span<const std::uint32_t> goals,
                                   const RouteRules& rules) {
   if (goals.empty()) return std::nullopt;
@@ -86,21 +122,27 @@ std::optional<Route> Router::find(std::uint32_t from, std::span<const std::uint3
   stops_at_goal_ = false;
   for (const std::uint32_t goal : goals) is_goal_[goal] = false;
   if (!has_reached_) return std::nullopt;
-  Route route;
-  route.cost = costs_[reached_goal_];
-  for (std::uint32_t at = reached_goal_; at != from; at = came_from_[at]) {
-    route.places.push_back(at);
-    route.ways.push_back(graph_->place(came_from_[at]).ways[came_by_[at]]);
-  }
-  route.places.push_back(from);
-  std::reverse(route.places.begin(), route.places.end());
-  std::reverse(route.ways.begin(), route.ways.end());
+  Route route = trace_back(from, reached_goal_, costs_, came_from_, came_by_);
   for (const Way& way : route.ways)
     for (const Demand& demand : way.demands)
       if (route.locked_mover < 0 && demand.mover >= 0 &&
           movers_->access_any(demand.mover, demand.states) == Access::kLocked)
         route.locked_mover = demand.mover;
   return route;
+}
+
+std::optional<math::Vec3> Router::nearest_reached(const math::Bounds& box) const {
+  std::optional<math::Vec3> best;
+  float best_distance = kUnreached;
+  for (std::size_t i = 0; i < costs_.size(); ++i) {
+    if (costs_[i] >= kUnreached) continue;
+    const math::Vec3& at = graph_->places()[i].at;
+    const float distance = glm::distance(at, glm::clamp(at, box.mins, box.maxs));
+    if (distance >= best_distance) continue;
+    best_distance = distance;
+    best = at;
+  }
+  return best;
 }
 
 std::span<const float> Router::costs_from(std::uint32_t from, const RouteRules& rules) {

@@ -32,13 +32,20 @@ class Router {
   // To the cheapest of the goals; nothing where none can be reached.
   std::optional<Route> find(std::uint32_t from, std::span<const std::uint32_t> goals,
                             const RouteRules& rules = {});
+  // Looks for all ways from there as things are, once, for many calls of find_surveyed().
+  void survey(std::uint32_t from);
+  std::optional<Route> find_surveyed(std::span<const std::uint32_t> goals) const;
   // Costs to all places, 1e9f where there is no way; valid until the next search.
   std::span<const float> costs_from(std::uint32_t from, const RouteRules& rules = {});
+  // Of the places that the last search has reached the one nearest to that box, in space.
+  std::optional<math::Vec3> nearest_reached(const math::Bounds& box) const;
   // A way that did not work costs more from now on.
   void blame(std::uint32_t from, std::uint32_t to, float cost);
   void forgive() { blamed_.clear(); }
 
  private:
+  Route trace_back(std::uint32_t from, std::uint32_t to, std::span<const float> costs,
+                   std::span<const std::uint32_t> came_from, std::span<const std::uint32_t> came_by) const;
   void search(std::uint32_t from, const RouteRules& rules);
   float cost_of(std::uint32_t from, const Way& way, const RouteRules& rules, bool& out_locked) const;
 
@@ -47,6 +54,9 @@ class Router {
   std::map<std::pair<std::uint32_t, std::uint32_t>, float> blamed_;
   std::vector<float> costs_;
   std::vector<std::uint32_t> came_from_, came_by_;  // place, and number of its way
+  std::vector<float> surveyed_costs_;
+  std::vector<std::uint32_t> surveyed_from_, surveyed_by_;
+  std::uint32_t surveyed_start_ = 0;
   std::vector<bool> is_goal_;
   std::uint32_t reached_goal_ = 0;
   bool stops_at_goal_ = false, has_reached_ = false;

@@ -32,6 +32,7 @@ class Run {
     map_ = LevelMap::make(session_->game());
     report_.places = map_->graph.places().size();
     report_.ways = map_->graph.ways();
+    if (setup_.lists_places) list_places();
     make_brains();
     monsters_.emplace(session_->game());
     play_on();
@@ -51,6 +52,17 @@ class Run {
                                                            .exit_map = setup_.exit_map}));
   }
 
+  void list_places() {
+    for (const Place& place : map_->graph.places())
+      report_.place_list += fmt::format(
+          "{:.0f} {:.0f} {:.0f} {}\n", place.at.x, place.at.y, place.at.z,
+          place.swims ? "water"
+          : place.mover < 0
+              ? "floor"
+              : fmt::format("{} state {}", map_->facts.movers[static_cast<std::size_t>(place.mover)].describe,
+                            place.state));
+  }
+
   RunReport failed() {
     report_.errors.push_back(session_->console());
     return report_;
@@ -58,10 +70,7 @@ class Run {
 
   double played_s() const { return session_->now_s() - began_s_; }
 
-  void step() {
-    game_ = &session_->game();
-    session_->step(moves_);
-  }
+  void step() { session_->step(moves_); }
 
   void play_on() {
     server::Game* last = &session_->game();
@@ -151,7 +160,7 @@ class Run {
   void finish() {
     report_.time_s = played_s();
     for (auto& brain : brains_) {
-      report_.deaths += brain->deaths();
+      for (const std::string& text : brain->deaths()) report_.deaths.push_back(text);
       for (const std::string& text : brain->complaints()) report_.complaints.push_back(text);
     }
     report_.stuck_monsters = monsters_->stuck();
@@ -172,7 +181,6 @@ class Run {
   }
 
   void note_doors() {
-    MoverWatch watch(map_->facts);
     for (std::size_t i = 0; i < map_->facts.movers.size(); ++i) {
       const Mover& mover = map_->facts.movers[i];
       if (mover.kind != MoverKind::kDoor && mover.kind != MoverKind::kSecretDoor) continue;
@@ -183,10 +191,7 @@ class Run {
     }
   }
 
-  // With everything open.
   void note_items() {
-    MoverWatch watch(map_->facts);
-    watch.look(session_->game(), -1);
     server::GameWorld& world = session_->game().world();
     for (std::uint32_t i = 1; i < world.edicts.count(); ++i) {
       const vm::EntityIndex entity{i};
@@ -207,7 +212,6 @@ class Run {
   std::vector<std::uint32_t> turns_;
   RunReport report_;
   std::string map_name_;
-  server::Game* game_ = nullptr;
   double began_s_ = 0;
 };
 

@@ -22,6 +22,7 @@ struct RunSetup {
   double limit_s = 600;  // of the game's time
   std::vector<math::Vec3> waypoints{};
   std::string exit_map{};
+  bool lists_places = false;
   std::function<void(std::string_view line)> tell{};  // once a few seconds; may be empty
 };
 
@@ -29,7 +30,8 @@ struct RunReport {
   bool reached_exit = false;
   std::string exit;  // the level that it leads to
   double time_s = 0;
-  int kills = 0, monsters = 0, found_secrets = 0, secrets = 0, deaths = 0;
+  int kills = 0, monsters = 0, found_secrets = 0, secrets = 0;
+  std::vector<std::string> deaths;
   std::vector<std::string> complaints;       // why it ended without an exit; secrets that were not reached
   std::vector<std::string> stuck_monsters;   // in walls
   std::vector<std::string> idle_monsters;    // stood still in a fight
@@ -37,6 +39,7 @@ struct RunReport {
   std::vector<std::string> unreached_items;  // that no way leads to
   std::vector<std::string> errors;           // of the game's code
   std::size_t places = 0, ways = 0;
+  std::string place_list{};      // a line each: where a player can get, and what he stands on
   std::uint64_t state_hash = 0;  // of the game's end
   base::ByteVector recording;
 };

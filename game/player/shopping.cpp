@@ -10,14 +10,19 @@ namespace {
 
 namespace field = server::field;
 
-constexpr float kFarthestCost = 900;
+constexpr float kFarthestCost = 900, kFarthestInNeedCost = 1400;
+constexpr float kWoundedHealth = 65, kFewShells = 12;
 constexpr std::size_t kSmallBox = 8;
 
 // How far somebody would go for it.
 float worth_of(std::string_view name, const Self& self, int weapon_bit) {
-  if (name == "item_health") return self.health < 50 ? 900.0f : self.health < 85 ? 300.0f : 0.0f;
+  if (name == "item_health")
+    return self.health < 40 ? 1400.0f : self.health < 65 ? 800.0f : self.health < 88 ? 350.0f : 0.0f;
   if (name.starts_with("item_armor")) return self.armour < 50 ? 500.0f : self.armour < 100 ? 200.0f : 0.0f;
   if (name.starts_with("weapon_")) return (self.items & weapon_bit) == 0 ? 900.0f : 0.0f;
+  const bool has_nailgun = (self.items & 12) != 0;
+  if (name == "item_shells" && self.shells < 12) return 1300;
+  if (name == "item_spikes" && has_nailgun && self.nails < 20) return 1000;
   if (name == "item_shells") return self.shells < 40 ? 400.0f : self.shells < 90 ? 120.0f : 0.0f;
   if (name == "item_spikes") return self.nails < 60 ? 350.0f : self.nails < 180 ? 100.0f : 0.0f;
   if (name == "item_rockets") return self.rockets < 20 ? 300.0f : self.rockets < 90 ? 80.0f : 0.0f;
@@ -42,7 +47,9 @@ int weapon_bit_of(std::string_view name) {
 
 std::optional<Task> Brain::task_for_item(server::Game& io_game, const Self& self, std::uint32_t at) {
   server::GameWorld& world = io_game.world();
-  const std::span<const float> costs = router_.costs_from(at, {.most_cost = kFarthestCost});
+  const bool is_in_need = self.health < kWoundedHealth || self.shells < kFewShells;
+  const std::span<const float> costs =
+      router_.costs_from(at, {.most_cost = is_in_need ? kFarthestInNeedCost : kFarthestCost});
   std::optional<vm::EntityIndex> best;
   float best_gain = 0;
   std::uint32_t best_place = 0;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr float kMostRate_deg = 260;  // a second, at haste 1
 constexpr float kStiffness = 9;       // of the spring that pulls the view, 1/s at haste 1
+constexpr float kFollowed_deg = 240;  // a second: faster is another target
 constexpr float kMostPitch_deg = 65;
 
 }  // namespace
@@ -24,12 +25,16 @@ void View::turn(const math::Vec3& wanted_deg, float haste, float seconds) {
   const float stiffness = kStiffness * haste, most = kMostRate_deg * haste;
   const math::Vec3 wanted(std::clamp(wanted_deg.x, -kMostPitch_deg, kMostPitch_deg), wanted_deg.y, 0);
   for (int axis = 0; axis < 2; ++axis) {
-    const float missing = turn_between_deg(angles_deg_[axis], wanted[axis]);
+    // A spring lags behind what moves; a hand does not.
+    const float moves = turn_between_deg(wanted_[axis], wanted[axis]) / seconds;
+    const float lead = std::abs(moves) < kFollowed_deg ? moves * 2 / stiffness : 0;
+    const float missing = turn_between_deg(angles_deg_[axis], wanted[axis] + lead);
     const float pull = stiffness * stiffness * missing - 2 * stiffness * rate_[axis];
     rate_[axis] = std::clamp(rate_[axis] + pull * seconds, -most, most);
     angles_deg_[axis] = std::remainder(angles_deg_[axis] + rate_[axis] * seconds, 360.0f);
   }
   angles_deg_.z = 0;
+  wanted_ = wanted;
 }
 
 }  // namespace temblor::player

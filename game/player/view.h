@@ -15,7 +15,8 @@ class View {
 
  private:
   math::Vec3 angles_deg_{0.0f};
-  math::Vec3 rate_{0.0f};  // degrees/s
+  math::Vec3 rate_{0.0f};    // degrees/s
+  math::Vec3 wanted_{0.0f};  // at the last turn
 };
 
 }  // namespace temblor::player

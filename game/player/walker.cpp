@@ -10,7 +10,7 @@ namespace temblor::player {
 namespace {
 
 constexpr float kRunSpeed = 400;
-constexpr float kGravity = 800, kJumpSpeed = 270;
+constexpr float kGravity = 800;
 constexpr float kNear_units = 26, kNearHeight_units = 40;
 constexpr float kLost_units = 90;
 constexpr std::size_t kLookAhead = 14;
@@ -20,6 +20,7 @@ constexpr float kStuck_units = 14;
 constexpr int kMostStuck = 4;
 constexpr double kLongestWay_s = 8, kLongestWait_s = 40;
 constexpr float kRunUp_units = 88;
+constexpr float kAirBrake = 5;  // a tick takes 10/72 of the wish
 
 float level_distance(const math::Vec3& a, const math::Vec3& b) {
   return glm::length(math::Vec2(a - b));
@@ -164,7 +165,7 @@ WalkEnd Walker::walk(server::Game& io_game, const Self& self, double now_s, Stee
     return lose(0);
   if (!is_plain(index_) && was_in_air_ && !is_in_air && way.kind != WayKind::kRide &&
       way.kind != WayKind::kClimbOut)
-    return lose(200);
+    return lose(way.kind == WayKind::kJump || way.kind == WayKind::kHop ? 1500.0f : 300.0f);
   if (now_s - passed_s_ > (waits ? kLongestWait_s : kLongestWay_s)) return lose(3000);
 
   if (is_plain(index_))
@@ -269,8 +270,14 @@ void Walker::steer_special(server::Game& io_game, const Self& self, Steering& ou
       return;
     }
     case WayKind::kClimbOut:
-      out.velocity = level_direction(self.origin, next) * kRunSpeed;
-      out.velocity.z = self.swims() && self.water_level == 3 ? 200.0f : 60.0f;
+      // Up where he is, then over the edge, which may hang over the water.
+      if (self.swims() && self.water_level == 3) {
+        out.velocity = velocity_to_stand_at(self, here) * 0.5f;
+        out.velocity.z = 300;
+      } else {
+        out.velocity = level_direction(self.origin, next) * kRunSpeed;
+        out.velocity.z = 60;
+      }
       out.look_at.z = self.eye().z;
       return;
     default:
@@ -297,7 +304,8 @@ void Walker::steer_in_air(const Self& self, const math::Vec3& landing, Steering&
                             std::min(level_distance(self.origin, landing) / left_s, kRunSpeed);
   const math::Vec3 change(wanted.x - self.velocity.x, wanted.y - self.velocity.y, 0);
   const float length = glm::length(change);
-  out.velocity = length > 15 ? change * (kRunSpeed / length) : math::Vec3(0.0f);
+  // What is braked too hard in the air cannot be had again: just as much as is too fast goes in a tick.
+  out.velocity = length > 8 ? change * (std::min(kRunSpeed, length * kAirBrake) / length) : math::Vec3(0.0f);
 }
 
 void Walker::steer_jump(server::Game& io_game, const Self& self, const Way& way, Steering& out) {

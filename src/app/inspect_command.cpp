@@ -54,6 +54,11 @@ CLI::App* add_inspect_command(CLI::App& program, InspectOptions& io_options) {
       ->type_name("N")
       ->check(CLI::Range(0, 1000))
       ->needs(picture);
+  command->add_option("--light", io_options.sheet.light, "Light where it stands, as in a level")
+      ->type_name("0-255")
+      ->check(CLI::Range(0, 255))
+      ->capture_default_str()
+      ->needs(picture);
   command->footer(kHelpFooter);
   return command;
 }

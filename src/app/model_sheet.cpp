@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <thread>
 
@@ -32,9 +33,8 @@ using base::ErrorCode;
 
 constexpr std::size_t kSpreadFrames = 8;
 constexpr float kFovDeg = 30;
-constexpr double kDistance = 2.45;  // of the camera, in radii of what it looks at
+constexpr double kMargin = 1.05;  // of what a picture shows around what must be seen
 constexpr double kRoomSide = 3072, kRoomHeight = 1536, kWall = 16;  // units
-constexpr float kLeastLight = 110;
 
 struct View {
   std::string_view name;
@@ -82,10 +82,11 @@ std::string brush(const math::Vec3d& mins, const math::Vec3d& maxs, std::string_
 
 class NeverStops : public compiler::CompileWatcher {};
 
-// A wide room, its floor at z 0.
-base::Result<std::shared_ptr<const world::Level>> make_studio(const formats::Palette& palette,
+// A wide room, its floor at z 0, with the same light (0 to 255) everywhere.
+base::Result<std::shared_ptr<const world::Level>> make_studio(const formats::Palette& palette, int light,
                                                               base::Jobs& jobs) {
-  std::string text = "{\n\"classname\" \"worldspawn\"\n\"light\" \"120\"\n";
+  std::string text = "{\n\"classname\" \"worldspawn\"\n";
+  text += fmt::format("\"light\" \"{}\"\n", light);
   const double half = kRoomSide / 2;
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool upper : {false, true}) {
@@ -167,21 +168,15 @@ struct Studio {
   std::shared_ptr<const world::Level> level;
   std::shared_ptr<const render::AliasModel> model;
   formats::Palette palette;
-  math::Vec3 lift{0.0f};    // of the model: onto the floor
-  math::Vec3 middle{0.0f};  // of all that is shown, in the model's space
-  float radius = 1;
+  math::Vec3 lift{0.0f};            // of the model: onto the floor
+  std::vector<math::Bounds> boxes;  // of the frames that are shown, in the model's space
 };
 
 Studio set_up(const formats::Mdl& mdl, const std::vector<std::uint32_t>& frames) {
   Studio studio;
-  studio.lift.z = -box_of(mdl, 0).mins.z;
-  math::Bounds all = box_of(mdl, frames.front());
-  for (const std::uint32_t frame : frames) {
-    const math::Bounds box = box_of(mdl, frame);
-    all = {glm::min(all.mins, box.mins), glm::max(all.maxs, box.maxs)};
-  }
-  studio.middle = 0.5f * (all.mins + all.maxs);
-  studio.radius = 0.5f * glm::length(all.maxs - all.mins);
+  // Not with its origin in the floor, where there is no light.
+  studio.lift.z = std::max(1.0f, -box_of(mdl, 0).mins.z);
+  for (const std::uint32_t frame : frames) studio.boxes.push_back(box_of(mdl, frame));
   return studio;
 }
 
@@ -190,13 +185,33 @@ struct Shot {
   std::string view;
 };
 
+// As near as it can be with every box in the picture, which is a square.
+math::Vec3 eye_for(const std::vector<math::Bounds>& boxes, const math::Vec3& angles_deg) {
+  math::Bounds all = boxes.front();
+  for (const math::Bounds& box : boxes) all = {glm::min(all.mins, box.mins), glm::max(all.maxs, box.maxs)};
+  const math::Vec3d middle(0.5f * (all.mins + all.maxs));
+  const math::Basis basis = math::basis_from_angles(angles_deg);
+  const double slope = std::tan(0.5 * kFovDeg * std::numbers::pi / 180) / kMargin;
+  double back = 1;
+  for (const math::Bounds& box : boxes) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const math::Vec3d place((corner & 1) != 0 ? box.maxs.x : box.mins.x,
+                              (corner & 2) != 0 ? box.maxs.y : box.mins.y,
+                              (corner & 4) != 0 ? box.maxs.z : box.mins.z);
+      const math::Vec3d way = place - middle;
+      const double aside = std::max(std::abs(glm::dot(way, basis.right)), std::abs(glm::dot(way, basis.up)));
+      back = std::max(back, aside / slope - glm::dot(way, basis.forward));
+    }
+  }
+  return math::Vec3(middle - basis.forward * back);
+}
+
 void take(const Studio& studio, const Shot& shot, render::Renderer& renderer,
           render::FrameBuffer& out_picture) {
   render::AliasInstance instance;
   instance.model = studio.model.get();
   instance.from_pose = instance.to_pose = render::pose_at(*studio.model, shot.frame, 0);
   instance.skin = render::skin_at(*studio.model, shot.skin, 0);
-  instance.least_light = kLeastLight;
   render::Scene scene;
   scene.level = studio.level.get();
   if (shot.view == kHandView) {
@@ -208,9 +223,7 @@ void take(const Studio& studio, const Shot& shot, render::Renderer& renderer,
     instance.origin_world = studio.lift;
     scene.camera.angles_deg = {view->pitch_deg, view->yaw_deg, 0};
     scene.camera.fov_deg = kFovDeg;
-    const double back = kDistance * studio.radius;
-    scene.camera.origin_world = studio.lift + studio.middle -
-                                math::Vec3(math::basis_from_angles(scene.camera.angles_deg).forward * back);
+    scene.camera.origin_world = studio.lift + eye_for(studio.boxes, scene.camera.angles_deg);
     scene.alias_models = {&instance, 1};
   }
   renderer.render(scene, {}, out_picture);
@@ -248,12 +261,13 @@ base::Status draw_model_sheet(const std::filesystem::path& model_file, const She
   base::Jobs jobs(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   Studio studio = set_up(mdl, frames);
   studio.palette = palette_for(model_file);
-  TRY(studio.level, make_studio(studio.palette, jobs));
+  TRY(studio.level, make_studio(studio.palette, options.light, jobs));
   studio.model = render::make_alias_model(mdl, model_file.string());
 
   // Of one view: as square as it can be.
   const auto count = static_cast<int>(frames.size());
-  const int columns = views.size() > 1 ? count : static_cast<int>(std::ceil(std::sqrt(count * 1.5)));
+  const int columns =
+      views.size() > 1 ? count : std::min(count, static_cast<int>(std::ceil(std::sqrt(count * 1.5))));
   const int rows_a_view = (count + columns - 1) / columns;
   const int cell = options.cell_px;
   render::FrameBuffer sheet(columns * cell, rows_a_view * cell * static_cast<int>(views.size()),

@@ -16,6 +16,7 @@ struct SheetOptions {
   std::string views = "front,side,back";  // front, side, back, above, quarter, hand (a weapon's own)
   int cell_px = 240;                      // sides of a picture
   int skin = 0;
+  int light = 120;  // 0 to 255: of the floor
 };
 
 // Draws frames side by side, a row for each view, with the renderer, in a room whose floor is where the first

@@ -11,8 +11,11 @@
 #include "artgen/models/model.h"
 #include "artgen/palette.h"
 #include "artgen/parts.h"
+#include "artgen/pictures/picture_makers.h"
 #include "artgen/plans/level_maker.h"
+#include "artgen/sounds/music_maker.h"
 #include "artgen/sounds/sound_maker.h"
+#include "artgen/textures/texture.h"
 #include "base/text.h"
 #include "formats/palette.h"
 #include "formats/wad.h"
@@ -68,9 +71,13 @@ std::vector<ArtPart> palette_parts() {
 
 std::span<const ArtMaker> art_makers() {
   static constexpr ArtMaker kMakers[] = {
-      {"level", make_level},
-      {"model", make_model_art},
-      {"sound", make_sound_file},
+      {"animation", make_animation}, {"switch", make_switch},
+      {"texture", make_texture},     {"level", make_level},
+      {"model", make_model_art},     {"font", make_font},
+      {"picture", make_picture},     {"wadpicture", make_wad_picture},
+      {"pictures", make_pictures},   {"wadpictures", make_wad_pictures},
+      {"sprite", make_sprite},       {"icon", make_icon},
+      {"sound", make_sound_file},    {"music", make_music_file},
   };
   return kMakers;
 }

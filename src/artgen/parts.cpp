@@ -40,8 +40,9 @@ base::Result<std::vector<RecipeLine>> expand(const std::vector<RecipeLine>& line
     if (part == parts.end())
       return recipe_error(line, fmt::format("there is no part '{}'", base::quotable(name)));
     if (depth >= kDeepest) return recipe_error(line, "parts use one another in a circle");
-    TRY(std::vector<RecipeLine> used, expand(part->second->below, parts, depth + 1));
-    mark(used, name);
+    std::vector<RecipeLine> own = part->second->below;
+    mark(own, name);
+    TRY(std::vector<RecipeLine> used, expand(own, parts, depth + 1));
     for (RecipeLine& below : used) expanded.push_back(std::move(below));
   }
   return expanded;

@@ -345,6 +345,10 @@ void Menu::refresh() {
   state_->catch_up_refresh();
 }
 
+bool Menu::is_waiting() const {
+  return is_open() && state_->waiting_row() != nullptr;
+}
+
 bool Menu::handle(const platform::InputEvent& event) {
   if (!is_open()) return false;
   // Bound to pages of the menus, most of them; a row that waits for a key may want it.

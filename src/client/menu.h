@@ -62,6 +62,8 @@ class Menu {
   void open(MenuPage page = MenuPage::kMain);
   void close();
   bool is_open() const;
+  // A row waits for a key or a text: nothing else may have what is pressed.
+  bool is_waiting() const;
   // Whether the window is to tell what is typed: while it is open, but not while it waits for a key to bind.
   bool wants_text() const;
   // The content's lists have changed: pages ask for them anew, and keep what is selected.

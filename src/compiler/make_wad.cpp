@@ -14,7 +14,8 @@
 namespace temblor::compiler {
 namespace {
 
-base::Result<base::ByteVector> make_lump(std::string_view name, base::Bytes png, const MipColours& colours) {
+base::Result<base::ByteVector> make_lump(std::string_view name, base::Bytes png,
+                                         const formats::MipColours& colours) {
   if (name.empty() || name.size() > kLevelNameChars)
     return base::error(base::ErrorCode::kUsage, "\"{}\": a texture's name has 1 to {} characters",
                        base::printable(name), kLevelNameChars);
@@ -32,7 +33,7 @@ std::string texture_name_of_file(std::string_view file_name) {
 }
 
 base::Result<base::ByteVector> make_wad(std::span<const PngFile> files, const formats::Palette& palette) {
-  const MipColours colours(palette);
+  const formats::MipColours colours(palette);
   std::map<std::string, std::string> file_of_name;
   std::vector<base::ByteVector> contents;
   contents.reserve(files.size());

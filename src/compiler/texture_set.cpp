@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/text.h"
-#include "compiler/textures/build_mips.h"
 #include "compiler/textures/texture_sources.h"
+#include "formats/build_mips.h"
 
 namespace temblor::compiler {
 namespace {
@@ -127,8 +127,8 @@ class TextureSetMaker {
 
   void build_all_mips(formats::BspMiptex& io_miptex) {
     if (!mip_colours_) mip_colours_.emplace(palette_);
-    io_miptex.mips = build_mips(std::move(io_miptex.mips[0]), io_miptex.width, io_miptex.height,
-                                io_miptex.name.starts_with('{'), *mip_colours_);
+    io_miptex.mips = formats::build_mips(std::move(io_miptex.mips[0]), io_miptex.width, io_miptex.height,
+                                         io_miptex.name.starts_with('{'), *mip_colours_);
   }
 
   template <typename... Args>
@@ -140,7 +140,7 @@ class TextureSetMaker {
   TextureSources sources_;
   std::size_t source_count_;
   const formats::Palette& palette_;
-  std::optional<MipColours> mip_colours_;
+  std::optional<formats::MipColours> mip_colours_;
   MipLevels mip_levels_;
   Warnings& warnings_;
   std::vector<Wanted> wanted_;

@@ -124,4 +124,23 @@ base::Result<base::ByteVector> write_png(std::span<const std::uint32_t> rgb, int
   return encoder.take();
 }
 
+base::Result<base::ByteVector> write_png(const Image& image) {
+  const auto width = static_cast<int>(image.width), height = static_cast<int>(image.height);
+  check_size(image.pixels.size(), width, height);
+  Encoder encoder(width, height, SPNG_COLOR_TYPE_TRUECOLOR_ALPHA);
+  encoder.begin_rows();
+  std::vector<std::uint8_t> row(std::size_t{image.width} * 4);
+  for (std::size_t begin = 0; begin < image.pixels.size(); begin += image.width) {
+    for (std::size_t x = 0; x < image.width; ++x) {
+      const std::uint32_t pixel = image.pixels[begin + x];
+      row[4 * x] = static_cast<std::uint8_t>(pixel >> 16);
+      row[4 * x + 1] = static_cast<std::uint8_t>(pixel >> 8);
+      row[4 * x + 2] = static_cast<std::uint8_t>(pixel);
+      row[4 * x + 3] = static_cast<std::uint8_t>(pixel >> 24);
+    }
+    encoder.write_row(row);
+  }
+  return encoder.take();
+}
+
 }  // namespace temblor::formats

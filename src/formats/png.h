@@ -6,6 +6,7 @@
 
 #include "base/bytes.h"
 #include "base/result.h"
+#include "formats/image.h"
 #include "formats/palette.h"
 
 namespace temblor::formats {
@@ -17,5 +18,8 @@ base::Result<base::ByteVector> write_png(std::span<const std::uint8_t> indices, 
 
 // The same for pixels 0xffRRGGBB: colour type 2, 8 bits each; the top byte is ignored.
 base::Result<base::ByteVector> write_png(std::span<const std::uint32_t> rgb, int width, int height);
+
+// With transparency: colour type 6.
+base::Result<base::ByteVector> write_png(const Image& image);
 
 }  // namespace temblor::formats

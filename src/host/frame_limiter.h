@@ -6,8 +6,8 @@ namespace temblor::host {
 // Waits so that frames come at an even rate. Input is read after the wait, so that it does not grow old.
 class FrameLimiter {
  public:
-  // Returns when the next frame is due, and whether there was time to wait. `now_s` tells the time of the same
-  // steady clock at any moment.
+  // Returns when the next frame is due, and whether there was time to wait. `now_s` tells the time of the
+  // same steady clock at any moment.
   template <typename Clock>
   bool wait(double frames_per_second, const Clock& now_s) {
     const double now = now_s();

@@ -147,7 +147,19 @@ void Host::take_event(const platform::InputEvent& event) {
   }
 }
 
+// The game begins with a menu, and a console that is spoken of everywhere must open from there, too.
+bool Host::opens_console_over_menu(const platform::InputEvent& event) const {
+  const auto* const key = std::get_if<platform::KeyChange>(&event.what);
+  return key != nullptr && key->down && !key->repeated && menu_->is_open() && !menu_->is_waiting() &&
+         bindings_.commands(key->key) == "toggleconsole";
+}
+
 bool Host::take_by_console_or_menu(const platform::InputEvent& event) {
+  if (opens_console_over_menu(event)) {
+    menu_->close();
+    console_.append("toggleconsole");
+    return true;
+  }
   bool taken = console_ui_.handle(event);
   if (!taken) taken = menu_->handle(event);
   if (!taken && demo_ && !is_attracting()) taken = demo_controls_.handle(event);

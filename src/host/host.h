@@ -129,6 +129,7 @@ class Host {
   // A frame's parts, in order.
   void take_input();
   void take_event(const platform::InputEvent& event);
+  bool opens_console_over_menu(const platform::InputEvent& event) const;
   bool take_by_console_or_menu(const platform::InputEvent& event);
   void take_key(const platform::KeyChange& key);
   void take_size(const platform::WindowChanged& changed);

@@ -69,6 +69,8 @@ void Server::take_up(LoadedGame loaded) {
   const GameSetup& game = game_->setup();
   setup_.settings.set_kind(game.kind);
   for (const std::string& note : loaded.notes) print_event(fmt::format("{}: {}\n", game.map_name, note));
+  for (const std::string& fault : game_->spawn_report().unknown_classes)
+    print(fmt::format("maps/{}.bsp: {}\n", game.map_name, fault));
   if (recorder_) print_if_error(stop_recording());
   is_paused_ = false;
   goes_on_.assign(clients_.size(), false);

@@ -73,6 +73,13 @@ base::Status set_keys(vm::Machine& io_machine, const Edict& edict, const formats
   return base::Ok{};
 }
 
+std::string fault_of(std::string_view class_name, std::size_t number, const math::Vec3& origin) {
+  const std::string what =
+      class_name.empty() ? "it has no classname, and is left out"
+                         : fmt::format("there is no function \"{}\" to spawn such entities", class_name);
+  return fmt::format("entity {} at {:g} {:g} {:g}: {}", number, origin.x, origin.y, origin.z, what);
+}
+
 }  // namespace
 
 base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_machine,
@@ -80,6 +87,7 @@ base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_ma
                                          base::FunctionRef<void()> after_each) {
   SpawnReport report;
   Notes notes;
+  std::set<std::string, std::less<>> known_to_be_unknown;
   for (std::size_t i = 0; i < entities.size(); ++i) {
     vm::EntityIndex index = vm::kWorld;
     if (i > 0) {
@@ -95,9 +103,8 @@ base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_ma
     const std::string class_name(io_machine.text(edict[field::kClassName]));
     const vm::FunctionIndex spawn = io_machine.program().find_function(class_name);
     if (spawn == vm::kNoFunction) {
-      notes.add(class_name.empty()
-                    ? "an entity without a classname is left out"
-                    : fmt::format("there is no function \"{}\" to spawn such entities", class_name));
+      if (known_to_be_unknown.insert(class_name).second)
+        report.unknown_classes.push_back(fault_of(class_name, i, edict[field::kOrigin]));
       if (i > 0) remove(io_world, index);
       continue;
     }

@@ -21,7 +21,9 @@ struct SpawnRules {
 struct SpawnReport {
   std::size_t spawned = 0;
   std::size_t filtered = 0;        // not for this skill or kind of game
-  std::vector<std::string> notes;  // classes and keys that the program does not know, each once
+  std::vector<std::string> notes;  // keys that the program does not know, each once
+  // Classes that it does not know, each with its first entity, as the level's text counts them, from 0.
+  std::vector<std::string> unknown_classes;
 };
 
 // The first entity becomes the world, entity 0; those whose spawnflags leave them out are passed over, and

@@ -68,7 +68,7 @@ TEST(MakeWad, FullBrightOnlyWhereTheColourIsExactlyThat) {
   // A full-bright colour, and one next to it, that no dull colour of the palette is near to.
   formats::Palette made{};
   made[224] = {250, 120, 10};
-  const MipColours colours(made);
+  const formats::MipColours colours(made);
   formats::Image image{16, 16, std::vector<std::uint32_t>(256, argb({250, 120, 10}))};
   image.pixels[1] = argb({250, 121, 10});
   const auto texture = texture_from_image("lamp", image, colours);
@@ -78,7 +78,7 @@ TEST(MakeWad, FullBrightOnlyWhereTheColourIsExactlyThat) {
 }
 
 TEST(MakeWad, HolesWhereThePictureIsTransparent) {
-  const MipColours colours(palette());
+  const formats::MipColours colours(palette());
   formats::Image image{16, 16, std::vector<std::uint32_t>(256, argb(palette()[40]))};
   image.pixels[0] = argb(palette()[40], 127);
   image.pixels[1] = argb(palette()[40], 128);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "game/open_ground.h"
 #include "support/game_data.h"
@@ -81,6 +82,77 @@ TEST_P(Fights, MonstersLeaveThoseAloneWhomTheyDoNotNotice) {
   const math::Vec3 place = game.player(0)[field::kOrigin] + direction_of(yaw) * kOpenGround;
   game.spawn(GetParam(), place, yaw + 180);
   EXPECT_GE(time_to_be_hurt(game, 15), 15);
+  EXPECT_THAT(game.errors(), IsEmpty());
+}
+
+// Of a minute in which the player walks to and fro and cannot die.
+struct Fight {
+  double first_hit_s = 60;
+  float damage = 0;
+  double longest_idle_s = 0;  // neither moved nor hit
+};
+
+Fight fight_for_a_minute(PlayedLevel& io_game, std::uint32_t monster) {
+  Fight fight;
+  const server::Edict player = io_game.player(0);
+  const double begin = io_game.time_s();
+  double idle_since = begin;
+  math::Vec3 place = io_game.edict(monster)[field::kOrigin];
+  float taken = player[field::kDamageTaken];
+  for (int tick = 0; io_game.time_s() < begin + 60; ++tick) {
+    io_game.input(0).command.view_angles_deg = {0, static_cast<float>(tick % 720) * 0.5f, 0};
+    io_game.input(0).command.forward = tick / 144 % 2 == 0 ? -100.0f : 100.0f;
+    io_game.tick();
+    const float hit = player[field::kDamageTaken] - std::exchange(taken, player[field::kDamageTaken]);
+    const math::Vec3 at = io_game.edict(monster)[field::kOrigin];
+    if (hit > 0 && fight.damage == 0) fight.first_hit_s = io_game.time_s() - begin;
+    fight.damage += hit;
+    if (hit > 0 || glm::length(at - place) > 8) {
+      place = at;
+      idle_since = io_game.time_s();
+    }
+    fight.longest_idle_s = std::max(fight.longest_idle_s, io_game.time_s() - idle_since);
+  }
+  return fight;
+}
+
+TEST_P(Fights, MonstersGiveOneAtEverySkillAndDoNotStandStillInIt) {
+  DATA_FOLDER_OR_SKIP(data);
+  for (const int skill : {0, 1, 2, 3}) {
+    SCOPED_TRACE(skill);
+    PlayedLevel game(data, "lqdm1", kProgs, {.skill = skill});
+    game.set("skill", std::to_string(skill));
+    game.join(0);
+    game.run(1);
+    const float yaw = take_a_stand(game);
+    game.player(0).set_flag(server::flag::kGodMode);
+    const math::Vec3 place = game.player(0)[field::kOrigin] + direction_of(yaw) * kOpenGround;
+    const Fight fight = fight_for_a_minute(game, game.spawn(GetParam(), place, yaw + 180));
+    EXPECT_LT(fight.first_hit_s, 8);
+    EXPECT_GT(fight.damage, 120);
+    EXPECT_LT(fight.longest_idle_s, 6);
+    EXPECT_THAT(game.errors(), IsEmpty());
+  }
+}
+
+// Behind a door of no return it looks for him for half a minute, and then forgets.
+TEST(Hunts, MonstersLoseTrackOfWhoIsGone) {
+  DATA_FOLDER_OR_SKIP(data);
+  PlayedLevel game(data, "lqdm1", kProgs);
+  game.join(0);
+  game.run(1);
+  const float yaw = take_a_stand(game);
+  game.player(0).set_flag(server::flag::kGodMode);
+  const math::Vec3 here = game.player(0)[field::kOrigin];
+  const std::uint32_t monster = game.spawn("monster_army", here + direction_of(yaw) * kOpenGround, yaw + 180);
+  game.run(5);
+  EXPECT_EQ(game.edict(monster)[field::kEnemy], game.player(0).index());
+  game.player(0).set(field::kMoveType, static_cast<float>(server::MoveType::kNone));
+  game.put(game.player(0), {8000, 8000, 8000});
+  game.run(20);
+  EXPECT_EQ(game.edict(monster)[field::kEnemy], game.player(0).index());
+  game.run(20);
+  EXPECT_EQ(game.edict(monster)[field::kEnemy], vm::kWorld);
   EXPECT_THAT(game.errors(), IsEmpty());
 }
 

@@ -61,9 +61,29 @@ TEST_P(Levels, RunWithoutAnErrorWhateverIsTouchedAndUsed) {
     game.run(5);
     EXPECT_THAT(game.errors(), IsEmpty());
     EXPECT_THAT(game.printed(), Not(HasSubstr("precache")));  // of sounds that nobody announced
+    EXPECT_THAT(game.unknown_classes(), IsEmpty());
     // Two keys that are settings of clients and of nobody.
     EXPECT_THAT(game.notes(), Each(AnyOf(HasSubstr("wateralpha"), HasSubstr("credits_"))));
   }
+}
+
+// Somebody who cannot die is everywhere in turn, for five minutes: whoever lives there fights him and the
+// others.
+TEST_P(Levels, RunForFiveMinutesOfFighting) {
+  DATA_FOLDER_OR_SKIP(data);
+  PlayedLevel game(data, GetParam(), kProgs, {.skill = 3});
+  game.join(0);
+  game.run(1);
+  const float monsters = game.global("total_monsters");
+  for (std::uint32_t number = 3; game.time_s() < 300 && game.errors().empty();
+       number = number + 1 < game.edict_count() ? number + 1 : 3)
+    if (!game.is_free(number) && game.text(game.edict(number)[field::kClassName]) != "trigger_changelevel")
+      visit(game, number);
+  EXPECT_THAT(game.errors(), IsEmpty());
+  EXPECT_THAT(game.printed(), Not(HasSubstr("precache")));
+  // Three ogres of one level stand in what its file says is solid, until they are teleported.
+  EXPECT_TRUE(GetParam() == "lq_e1m2" || game.printed().find("is stuck") == std::string::npos);
+  EXPECT_TRUE(monsters == 0 || game.global("killed_monsters") > 0);
 }
 
 TEST_P(Levels, AreTheSameTwice) {

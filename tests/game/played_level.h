@@ -29,8 +29,9 @@ class PlayedLevel {
 
   // Errors of the program so far, with traces.
   const std::vector<std::string>& errors() const { return errors_; }
-  // Classes and keys of the level that the program does not know.
+  // Keys and classes of the level that the program does not know.
   const std::vector<std::string>& notes() const { return game_->spawn_report().notes; }
+  const std::vector<std::string>& unknown_classes() const { return game_->spawn_report().unknown_classes; }
   // What the program printed on the server's console (dprint, and complaints about it).
   const std::string& printed() const { return printed_; }
   // What it told all clients, certainly: bprint and others, as the bytes lie.

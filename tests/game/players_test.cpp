@@ -103,6 +103,29 @@ TEST(Players, TakeItems) {
   }
 }
 
+// Of a weapon and of a key there is one for each.
+TEST(Players, FindTheSameAgainInACooperativeGame) {
+  DATA_FOLDER_OR_SKIP(data);
+  PlayedLevel game(data, "start", kProgs, {.kind = server::GameKind::kCooperative, .players = 2});
+  game.join(0);
+  game.join(1);
+  const std::uint32_t weapon = game.spawn("weapon_nailgun", game.player(0)[field::kOrigin], 0);
+  const std::uint32_t key = game.spawn("item_key1", game.player(0)[field::kOrigin], 0);
+  game.run(1);
+  for (const std::uint32_t item : {weapon, key}) {
+    EXPECT_EQ(game.edict(item).solid(), server::Solid::kTrigger);
+    EXPECT_NE(game.edict(item)[field::kModelIndex], 0);
+  }
+  const float nails = game.player(0)[field::kAmmoNails];
+  EXPECT_EQ(nails, 30);
+  game.run(2);
+  EXPECT_EQ(game.player(0)[field::kAmmoNails], nails);  // he has his
+  game.put(game.player(1), game.player(0)[field::kOrigin]);
+  game.run(1);
+  EXPECT_EQ(game.player(1)[field::kAmmoNails], 30);
+  EXPECT_EQ(game.player(1).whole(field::kItems) & (4 + 131072), 4 + 131072);
+}
+
 TEST(Players, KeepOffWhatTheyHaveEnoughOf) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "start", kProgs);

@@ -264,6 +264,22 @@ TEST(Host, APauseMayLastAnHour) {
   EXPECT_GT(played.host().session().server()->game()->time_s(), before_s + 0.2);
 }
 
+TEST(Host, TheConsoleOpensOverTheMenu) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayedHost played({"map small"});
+  ASSERT_TRUE(played.run_until_playing());
+  played.press(Key::kEscape);
+  played.run(0.1);
+  EXPECT_FALSE(played.host().console_ui().takes_text());
+  played.press(Key{'`'});
+  played.run(0.1);
+  EXPECT_TRUE(played.host().console_ui().takes_text());
+  played.press(Key::kEscape);
+  played.press(Key{'`'});
+  played.run(0.1);
+  EXPECT_TRUE(played.host().console_ui().takes_text()) << "the menu was closed when it opened";
+}
+
 TEST(Host, AMistypedLevelOrSaveEndsNothing) {
   SKIP_WITHOUT_QUAKEC();
   PlayedHost played({"map small"});

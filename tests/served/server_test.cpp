@@ -14,6 +14,7 @@
 namespace temblor::test {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -281,6 +282,35 @@ TEST(Server, RunawayProgramsEndTheLevelAndNotTheServer) {
   EXPECT_THAT(served.console(), HasSubstr("forever"));
   EXPECT_THAT(served.console(), HasSubstr("use_forever"));
   EXPECT_THAT(served.prints(me), HasSubstr("game's code failed"));
+  EXPECT_TRUE(served.client(me).is_playing()) << served.client(me).lost_because();
+}
+
+// What is missing or unknown is named where it is asked for, an error with its way through the code; all of
+// it with the file, and the line where the compiler has written lines down. The game goes on.
+TEST(Server, AModdersMistakesAreNamedAndTheRestGoesOn) {
+  SKIP_WITHOUT_QUAKEC();
+  std::string program = small_program(R"(
+    void() careless = { self = world; self.health = 5; };
+  )");
+  const auto replace = [&](std::string_view what, std::string_view with) {
+    ASSERT_NE(program.find(what), std::string::npos) << what;
+    program.replace(program.find(what), what.size(), with);
+  };
+  replace("void() light = { remove(self); };",
+          "void() light = {\nprecache_model(\"progs/none.mdl\");\nsetmodel(self, \"progs/none.mdl\");\n};");
+  replace("void() func_door =", "void() func_gate =");
+  ServedGame served(program);
+  const std::size_t me = served.add_client("tester");
+  ASSERT_TRUE(served.run_until_playing(me));
+  EXPECT_THAT(served.console(),
+              ContainsRegex("progs/none.mdl: there is no such model, in light \\(.*test.qc"));
+  EXPECT_THAT(served.console(), ContainsRegex("maps/small.bsp: entity [0-9]+ at .*\"func_door\""));
+
+  server::Edict player = served.game().player(0);
+  player.set(server::field::kThink, served.game().machine().program().find_function("careless"));
+  player.set(server::field::kNextThink, static_cast<float>(served.game().time_s()) + 0.1f);
+  served.run(4);
+  EXPECT_THAT(served.console(), ContainsRegex("careless \\(.*test.qc"));
   EXPECT_TRUE(served.client(me).is_playing()) << served.client(me).lost_because();
 }
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "artgen/level/texture_noise.h"
+#include "artgen/noise.h"
 #include "artgen/palette.h"
 
 namespace temblor::artgen {

@@ -20,6 +20,7 @@ using math::Vec3d;
 
 constexpr double kPoseByteSteps = 255;
 constexpr std::size_t kMaxNameChars = 15;
+constexpr float kFarthest = 65536;  // units
 
 // The file's vertices: a point once for every normal and every place on the skin that it has.
 struct FileVertex {
@@ -193,8 +194,12 @@ Mdl make_mdl(const Model& model) {
 
 base::Result<std::vector<ArtPart>> make_model_art(const RecipeLine& thing) {
   TRY(const Model model, read_model(thing));
+  const Mdl mdl = make_mdl(model);
+  if (mdl.bounding_radius > kFarthest)
+    return recipe_error(thing, fmt::format("it reaches {:.0f} units from its origin, the farthest is {}",
+                                           mdl.bounding_radius, kFarthest));
   std::vector<ArtPart> parts;
-  parts.push_back({model.path, formats::write_mdl(make_mdl(model))});
+  parts.push_back({model.path, formats::write_mdl(mdl)});
   return parts;
 }
 

@@ -1,6 +1,7 @@
 // Rays over the hemisphere, dense where light matters most (cosine-weighted), against the triangles near by.
 #include "artgen/models/occlusion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,24 @@ using math::Vec3d;
 
 constexpr int kRays = 20;
 constexpr double kOffSurface = 0.05;  // units
+
+// A triangle as all rays from one place need it (Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle
+// Intersection", 1997).
+struct SeenTriangle {
+  Vec3d edge_a, edge_b, offset, across;
+  double height = 0;
+};
+
+// Shortens io_nearest to where the ray meets the triangle. Divides only where it does: most rays miss.
+void meet(const SeenTriangle& triangle, const Vec3d& way, double& io_nearest) {
+  const Vec3d normal = glm::cross(way, triangle.edge_b);
+  const double volume = glm::dot(triangle.edge_a, normal);
+  const double sign = volume < 0 ? -1 : 1, size = volume * sign;
+  const double u = glm::dot(triangle.offset, normal) * sign, v = glm::dot(way, triangle.across) * sign;
+  if (u < 0 || v < 0 || u + v > size || size < 1e-12) return;
+  const double distance = triangle.height / volume;
+  if (distance > 0 && distance < io_nearest) io_nearest = distance;
+}
 
 }  // namespace
 
@@ -37,32 +56,19 @@ Occlusion::Occlusion(const Mesh& mesh, double reach) : reach_(reach) {
   }
 }
 
-// Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
-bool Occlusion::hit(const Triangle& triangle, const Vec3d& from, const Vec3d& way, double& io_nearest) const {
-  const Vec3d across = glm::cross(way, triangle.edge_b);
-  const double volume = glm::dot(triangle.edge_a, across);
-  if (std::abs(volume) < 1e-12) return false;
-  const Vec3d offset = from - triangle.corner;
-  const double u = glm::dot(offset, across) / volume;
-  if (u < 0 || u > 1) return false;
-  const Vec3d other = glm::cross(offset, triangle.edge_a);
-  const double v = glm::dot(way, other) / volume;
-  if (v < 0 || u + v > 1) return false;
-  const double distance = glm::dot(triangle.edge_b, other) / volume;
-  if (distance <= 0 || distance >= io_nearest) return false;
-  io_nearest = distance;
-  return true;
-}
-
 double Occlusion::at(std::size_t triangle, const Vec3d& place, const Vec3d& normal) const {
   const Vec3d from = place + normal * kOffSurface;
-  std::vector<const Triangle*> close;
+  std::vector<SeenTriangle> close;
   for (const std::size_t other : near_[triangle]) {
     const Triangle& candidate = triangles_[other];
-    const Vec3d way = candidate.middle - from;
-    if (other != triangle && glm::length(way) < reach_ + candidate.radius &&
-        glm::dot(way, normal) > -candidate.radius)
-      close.push_back(&candidate);
+    if (other == triangle || glm::distance(candidate.middle, from) > reach_ + candidate.radius) continue;
+    // What lies below the surface's own plane, as the rest of a round shape does, hides nothing.
+    const double height = glm::dot(candidate.corner - from, normal);
+    const double highest =
+        height + std::max({0.0, glm::dot(candidate.edge_a, normal), glm::dot(candidate.edge_b, normal)});
+    if (highest <= 0) continue;
+    const Vec3d offset = from - candidate.corner, across = glm::cross(offset, candidate.edge_a);
+    close.push_back({candidate.edge_a, candidate.edge_b, offset, across, glm::dot(candidate.edge_b, across)});
   }
   const Vec3d hint = std::abs(normal.z) < 0.7 ? Vec3d(0, 0, 1) : Vec3d(1, 0, 0);
   const Vec3d side = glm::normalize(glm::cross(hint, normal)), up = glm::cross(normal, side);
@@ -70,7 +76,7 @@ double Occlusion::at(std::size_t triangle, const Vec3d& place, const Vec3d& norm
   for (const Vec3d& way : ways_) {
     const Vec3d world = side * way.x + up * way.y + normal * way.z;
     double nearest = reach_;
-    for (const Triangle* candidate : close) hit(*candidate, from, world, nearest);
+    for (const SeenTriangle& candidate : close) meet(candidate, world, nearest);
     hidden += 1 - nearest / reach_;
   }
   return hidden / kRays;

@@ -23,8 +23,6 @@ class Occlusion {
     math::Vec3d middle;
     double radius;
   };
-  bool hit(const Triangle& triangle, const math::Vec3d& from, const math::Vec3d& way,
-           double& io_nearest) const;
 
   double reach_;
   std::vector<Triangle> triangles_;

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "artgen/models/read_parts.h"
 #include "artgen/models/values.h"
 #include "base/text.h"
@@ -51,8 +53,10 @@ base::Status read_scale(const RecipeLine& line, Model& io_model) {
   const std::string by = arguments.text("by", "1");
   TRY_STATUS(arguments.finish());
   const auto numbers = numbers_in(by);
-  if (!numbers || (numbers->size() != 1 && numbers->size() != 3))
-    return recipe_error(line, fmt::format("by={} is neither a number nor X,Y,Z", base::quotable(by)));
+  if (!numbers || (numbers->size() != 1 && numbers->size() != 3) ||
+      *std::min_element(numbers->begin(), numbers->end()) <= 0)
+    return recipe_error(line,
+                        fmt::format("by={} is neither a number nor X,Y,Z, above 0", base::quotable(by)));
   for (const std::string& side : sides_of(name)) {
     TRY(const std::size_t bone, find_bone(line, io_model.skeleton, side));
     io_model.skeleton.bones[bone].scale = numbers->size() == 1

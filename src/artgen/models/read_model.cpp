@@ -34,6 +34,22 @@ base::Status read_head_line(const RecipeLine& thing, Model& io_model) {
   return arguments.finish();
 }
 
+// Far above what is of use, far below what the file format and the skin can hold.
+constexpr std::size_t kMostTriangles = 8192;
+constexpr std::int32_t kMostFrames = 4096;
+
+base::Status check_size(const RecipeLine& thing, const Model& model) {
+  if (model.mesh.triangles.empty()) return recipe_error(thing, "it has no shape");
+  if (model.mesh.triangles.size() > kMostTriangles)
+    return recipe_error(thing, fmt::format("{} triangles; a model has at most {}",
+                                           model.mesh.triangles.size(), kMostTriangles));
+  std::int32_t frames = 0;
+  for (const Animation& animation : model.animations) frames += animation.frames;
+  if (frames > kMostFrames)
+    return recipe_error(thing, fmt::format("{} frames; a model has at most {}", frames, kMostFrames));
+  return base::Ok{};
+}
+
 enum class Kind { kFlags, kBone, kPaint, kSkin, kShape, kPose, kAnimation };
 
 base::Result<Kind> kind_of(const RecipeLine& line) {
@@ -105,7 +121,7 @@ base::Result<Model> read_model(const RecipeLine& thing) {
        {Kind::kFlags, Kind::kBone, Kind::kPaint, Kind::kSkin, Kind::kShape, Kind::kPose, Kind::kAnimation})
     for (std::size_t i = 0; i < kinds.size(); ++i)
       if (kinds[i] == kind) TRY_STATUS(read_line(thing.below[i], kind, model));
-  if (model.mesh.triangles.empty()) return recipe_error(thing, "it has no shape");
+  TRY_STATUS(check_size(thing, model));
   if (model.animations.empty()) {
     Animation still;
     still.name = "still";

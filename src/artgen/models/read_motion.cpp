@@ -43,6 +43,8 @@ base::Result<math::Vec3d> motion_values(const RecipeLine& line, const MotionName
                                     name.first_number == 0 ? "PITCH, PITCH,YAW or PITCH,YAW,ROLL" : "X,Y,Z"));
   math::Vec3d values(name.first_number == 6 ? numbers->front() : 0.0);
   for (std::size_t i = 0; i < numbers->size(); ++i) values[static_cast<int>(i)] = (*numbers)[i];
+  if (name.first_number == 6 && std::min({values.x, values.y, values.z}) <= 0)
+    return recipe_error(line, fmt::format("{}.scale={} is not above 0", name.bone, base::quotable(text)));
   return values;
 }
 

@@ -11,10 +11,9 @@ namespace {
 
 // What entities of many classes have, under the names that levels use.
 constexpr std::array<std::string_view, 22> kSharedKeys = {
-    "target", "killtarget", "message", "delay", "wait",   "speed", "sounds",
-    "dmg",    "health",     "lip",     "count", "style",  "noise", "map",
-    "light",  "angles",     "cnt",     "team",  "height", "event", "worldtype",
-    "material"};
+    "target", "killtarget", "message", "delay", "wait",      "speed",   "sounds", "dmg",
+    "health", "lip",        "count",   "style", "noise",     "map",     "light",  "angles",
+    "cnt",    "team",       "height",  "event", "worldtype", "material"};
 
 constexpr std::array<std::pair<std::string_view, int>, 3> kSkills = {
     {{"easy", 256}, {"normal", 512}, {"hard", 1024}}};

@@ -11,30 +11,19 @@ namespace temblor::artgen {
 namespace {
 
 constexpr std::array<SoundClass, 12> kClasses = {{
-    {"blast", -9},      // explosions, thunder nearby
-    {"weapon", -11},    // shots
-    {"impact", -14},    // what lands, bounces, hits
-    {"voice", -13},     // creatures
-    {"murmur", -19},    // creatures that stand about
-    {"player", -14},    // one's own voice
-    {"body", -18},      // one's own steps and splashes
-    {"item", -17},      // what is picked up
-    {"signal", -16},    // keys, secrets, messages
-    {"machine", -18},   // doors, lifts, buttons
-    {"ambience", -22},  // what is there all the time
-    {"menu", -18},
+    {"blast", -8},      // explosions, thunder nearby
+    {"weapon", -9},     // shots
+    {"impact", -12},    // what lands, bounces, hits
+    {"voice", -11},     // creatures
+    {"murmur", -16},    // creatures that stand about
+    {"player", -12},    // one's own voice
+    {"body", -15},      // one's own steps and splashes
+    {"item", -14},      // what is picked up
+    {"signal", -13},    // keys, secrets, messages
+    {"machine", -14},   // doors, lifts, buttons
+    {"ambience", -18},  // what is there all the time
+    {"menu", -14},
 }};
-
-double loudest_tenth(const Signal& signal, double rate) {
-  const std::size_t window = std::min(signal.size(), frames_in(0.1, rate));
-  double sum = 0, loudest = 0;
-  for (std::size_t i = 0; i < signal.size(); ++i) {
-    sum += signal[i] * signal[i];
-    if (i >= window) sum -= signal[i - window] * signal[i - window];
-    if (i + 1 >= window) loudest = std::max(loudest, sum);
-  }
-  return window == 0 ? 0 : std::sqrt(std::max(0.0, loudest) / static_cast<double>(frames_in(0.1, rate)));
-}
 
 // Straight up to two thirds, then ever flatter, never above kPeak.
 double bent(double sample) {
@@ -45,11 +34,24 @@ double bent(double sample) {
   return std::copysign(kKnee + room * std::tanh((size - kKnee) / room), sample);
 }
 
-Signal bent_by(const Signal& signal, double gain) {
-  Signal out(signal.size());
-  std::transform(signal.begin(), signal.end(), out.begin(),
-                 [&](double sample) { return bent(sample * gain); });
-  return out;
+double loudest_tenth(std::span<const Signal> channels, double gain, double rate) {
+  const std::size_t tenth = frames_in(0.1, rate);
+  const std::size_t count = channels.front().size();
+  const auto power_at = [&](std::size_t i) {
+    double power = 0;
+    for (const Signal& channel : channels) {
+      const double sample = bent(channel[i] * gain);
+      power += sample * sample;
+    }
+    return power;
+  };
+  double sum = 0, loudest = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    sum += power_at(i);
+    if (i >= tenth) sum -= power_at(i - tenth);
+    loudest = std::max(loudest, sum);
+  }
+  return std::sqrt(loudest / static_cast<double>(tenth * channels.size()));
 }
 
 double eased(std::size_t i, std::size_t count) {
@@ -76,21 +78,29 @@ void remove_rumble(Signal& io_signal, double rate) {
   for (double& sample : io_signal) sample = filter.step(sample).high;
 }
 
-void bring_to_level(Signal& io_signal, double db, double rate) {
+void remove_rumble_around(Signal& io_signal, double rate) {
+  StateFilter filter;
+  filter.set(20, 0.7, rate);
+  for (const double sample : io_signal) filter.step(sample);
+  for (double& sample : io_signal) sample = filter.step(sample).high;
+}
+
+void bring_to_level(std::span<Signal> io_channels, double db, double rate) {
   constexpr double kMostBent = 4;  // 12 dB: a harder sound than that is a distorted one
   double peak = 0;
-  for (const double sample : io_signal) peak = std::max(peak, std::abs(sample));
+  for (const Signal& channel : io_channels)
+    for (const double sample : channel) peak = std::max(peak, std::abs(sample));
   if (peak == 0) return;
-  const double wanted = std::pow(10.0, db / 20);
-  double gain = wanted / std::max(1e-9, loudest_tenth(io_signal, rate));
-  constexpr int kRounds = 6;
+  const double wanted = std::pow(10.0, db / 20), most = kMostBent * kPeak / peak;
+  double gain = 0.1 / peak;
+  constexpr int kRounds = 8;
   for (int round = 0; round < kRounds; ++round) {
-    gain = std::min(gain, kMostBent * kPeak / peak);
-    const double reached = loudest_tenth(bent_by(io_signal, gain), rate);
+    const double reached = loudest_tenth(io_channels, gain, rate);
     if (std::abs(reached / wanted - 1) < 0.01) break;
-    gain *= wanted / reached;
+    gain = std::min(gain * wanted / reached, most);
   }
-  io_signal = bent_by(io_signal, std::min(gain, kMostBent * kPeak / peak));
+  for (Signal& channel : io_channels)
+    for (double& sample : channel) sample = bent(sample * gain);
 }
 
 void soften_start(Signal& io_signal, double rate) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,11 +23,13 @@ std::string sound_class_names();
 
 constexpr double kPeak = 0.97;  // nothing is louder
 
-// Takes away what is below 20 Hz.
+// Takes away what is below 20 Hz; of what goes round, too.
 void remove_rumble(Signal& io_signal, double rate);
+void remove_rumble_around(Signal& io_signal, double rate);
 // The loudest tenth of a second comes to `db`, but for sounds that would have to be turned up by more than
-// peaks can be bent down by: those end softer. Silence stays.
-void bring_to_level(Signal& io_signal, double db, double rate);
+// peaks can be bent down by: those end softer. Silence stays. Channels, each as long as the first, count
+// together.
+void bring_to_level(std::span<Signal> io_channels, double db, double rate);
 // The first millisecond rises from nothing; the last `fade_s` fall to it.
 void soften_start(Signal& io_signal, double rate);
 void soften_end(Signal& io_signal, double fade_s, double rate);

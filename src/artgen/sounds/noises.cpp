@@ -55,12 +55,15 @@ void add_grain(const Grains& grains, double rate, std::size_t start, Noise& io_n
   const double length_s = io_noise.octaves(grains.length_s.first, grains.length_s.second);
   const double loudness = 0.2 + 0.8 * io_noise.unit() * io_noise.unit();
   const auto count = std::max<std::size_t>(8, frames_in(length_s, rate));
+  // A tone that begins at once is a click as well.
+  const double attack_frames =
+      grains.kind == GrainKind::kSine ? 0.2 * static_cast<double>(count) : 0.001 * rate;
   StateFilter filter;
   filter.set(pitch, 3, rate);
   double phase = 0;
   for (std::size_t i = 0; i < count && start + i < io_samples.size(); ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(count);
-    const double attack = std::min(1.0, static_cast<double>(i) / (0.001 * rate));
+    const double attack = std::min(1.0, static_cast<double>(i) / attack_frames);
     const double fall = grains.kind == GrainKind::kClick ? std::exp(-7 * part) : (1 - part) * (1 - part);
     phase += pitch * (1 + (grains.rise - 1) * part) / rate;
     const double source = grains.kind == GrainKind::kSine ? std::sin(2 * std::numbers::pi * phase)

@@ -79,13 +79,13 @@ base::Result<formats::Wav> make_wav(const RecipeLine& thing, const SoundPlan& pl
   TRY(Signal signal, render_patch(thing.below, {kSynthesisRate, total_s, total_s, 1, seed}));
   signal.resize(front + length);
   remove_rumble(signal, kSynthesisRate);
-  bring_to_level(signal, plan.level_db, kSynthesisRate);
+  const std::size_t step = plan.half_rate ? 2 : 1;
+  if (plan.half_rate) signal = halve_rate(signal);
+  const double rate = kSynthesisRate / static_cast<double>(step);
+  bring_to_level({&signal, 1}, plan.level_db, rate);  // last: filters let peaks grow
   formats::Wav wav;
   wav.bits = 16;
-  wav.frames_per_second = static_cast<std::uint32_t>(plan.half_rate ? kSynthesisRate / 2 : kSynthesisRate);
-  if (plan.half_rate) signal = halve_rate(signal);
-  const std::size_t step = plan.half_rate ? 2 : 1;
-  const double rate = kSynthesisRate / static_cast<double>(step);
+  wav.frames_per_second = static_cast<std::uint32_t>(rate);
   if (plan.loop_s) {
     blend_loop(signal, (front + loop) / step, signal.size(), blend / step);
     signal.erase(signal.begin(), signal.begin() + static_cast<std::ptrdiff_t>(front / step));

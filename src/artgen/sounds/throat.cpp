@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "artgen/sounds/filters.h"
 #include "artgen/sounds/voices.h"
 #include "artgen/sounds/vowels.h"
 
@@ -63,6 +64,10 @@ Signal make_throat(Arguments& io_arguments, const VoiceContext& context) {
   Noise noise(context.seed);
   Signal samples = glottis(pitch.values(context.frames(), context.rate), settings, context.rate, noise);
   mouth.apply(samples, context.rate);
+  // Flesh swallows what a hard edge has of the highest.
+  Smoother cheeks;
+  cheeks.set(3000 / std::sqrt(size), context.rate);
+  for (double& sample : samples) sample = cheeks.step(sample);
   return samples;
 }
 

@@ -49,10 +49,14 @@ void PageView::draw(const Canvas& canvas, double time_s) {
   draw_help(canvas, layout);
 }
 
+bool PageView::has_plaque(const Canvas& canvas) const {
+  return page_.style == PageStyle::kLarge && canvas.height() >= kRoomForPicture &&
+         canvas.width() >= kScreenWidth;
+}
+
 int PageView::draw_title(const Canvas& canvas) const {
   const bool has_room = canvas.height() >= kRoomForPicture;
-  if (page_.style == PageStyle::kLarge && has_room && canvas.width() >= kScreenWidth)
-    canvas.plaque("gfx/qplaque.lmp", kPlaqueX, kGap);
+  if (has_plaque(canvas)) canvas.plaque("gfx/qplaque.lmp", kPlaqueX, kGap);
   if (has_room)
     if (const int height = canvas.title_picture(page_.title_picture, kGap); height > 0)
       return kGap + height + kGap;
@@ -109,8 +113,9 @@ PageView::Layout PageView::lay_out(const Canvas& canvas, int top) const {
     layout.help_y = height - kHelpLines * (kCharacterSide + 1) - kGap;
     bottom = layout.help_y - kGap;
   }
+  const int left = kCursor + (has_plaque(canvas) ? kPlaqueX + kPlaqueWidth : 0);
   layout.rows = is_large ? large_rows(canvas, top)
-                         : Box{kCursor, top, width - kCursor - kScrollBar, std::max(bottom - top, kLine)};
+                         : Box{left, top, width - left - kScrollBar, std::max(bottom - top, kLine)};
   constexpr int kLeastDetails = 200;
   if (page_.style == PageStyle::kDetails && width >= kLeastDetails) {
     layout.rows.width = width * 9 / 16 - kCursor;  // a level's picture needs the rest

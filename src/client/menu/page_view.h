@@ -59,6 +59,7 @@ class PageView {
 
   Layout lay_out(const Canvas& canvas, int top) const;
   Box large_rows(const Canvas& canvas, int top) const;
+  bool has_plaque(const Canvas& canvas) const;
   int draw_title(const Canvas& canvas) const;  // returns where it ends
   int draw_search(const Canvas& canvas, int top) const;
   int draw_question(const Canvas& canvas, int top) const;

@@ -5,7 +5,7 @@
 namespace temblor::compiler {
 namespace {
 
-std::uint8_t index_of(std::uint32_t argb, bool has_holes, const MipColours& colours) {
+std::uint8_t index_of(std::uint32_t argb, bool has_holes, const formats::MipColours& colours) {
   const auto byte = [argb](int shift) { return static_cast<std::uint8_t>(argb >> shift); };
   constexpr std::uint8_t kHalfOpaque = 128;
   if (has_holes && byte(24) < kHalfOpaque) return formats::kTransparentIndex;
@@ -19,7 +19,7 @@ std::uint8_t index_of(std::uint32_t argb, bool has_holes, const MipColours& colo
 }  // namespace
 
 base::Result<formats::WadTexture> texture_from_image(std::string_view name, const formats::Image& image,
-                                                     const MipColours& colours) {
+                                                     const formats::MipColours& colours) {
   constexpr std::uint32_t kSideMultiple = 16;
   if (image.width % kSideMultiple != 0 || image.height % kSideMultiple != 0)
     return base::error(base::ErrorCode::kUsage, "{} x {} pixels: a texture's sides are multiples of {}",
@@ -28,8 +28,9 @@ base::Result<formats::WadTexture> texture_from_image(std::string_view name, cons
   std::vector<std::uint8_t> indices;
   indices.reserve(image.pixels.size());
   for (const std::uint32_t pixel : image.pixels) indices.push_back(index_of(pixel, has_holes, colours));
-  return formats::WadTexture{std::string(name), image.width, image.height,
-                             build_mips(std::move(indices), image.width, image.height, has_holes, colours)};
+  return formats::WadTexture{
+      std::string(name), image.width, image.height,
+      formats::build_mips(std::move(indices), image.width, image.height, has_holes, colours)};
 }
 
 }  // namespace temblor::compiler

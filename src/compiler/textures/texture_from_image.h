@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "base/result.h"
-#include "compiler/textures/build_mips.h"
+#include "formats/build_mips.h"
 #include "formats/image.h"
 #include "formats/wad_texture.h"
 
@@ -15,6 +15,6 @@ namespace temblor::compiler {
 // half is opaque become holes in a texture named {...; elsewhere opacity is not looked at. kUsage for sides
 // that are no multiples of 16, on which the engines' light maps rest.
 base::Result<formats::WadTexture> texture_from_image(std::string_view name, const formats::Image& image,
-                                                     const MipColours& colours);
+                                                     const formats::MipColours& colours);
 
 }  // namespace temblor::compiler

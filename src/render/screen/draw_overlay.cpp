@@ -131,7 +131,8 @@ void draw_rows(const DrawList& list, const ColourTables& tables, const Rows& row
 
 void draw_overlay(const DrawList& list, const ColourTables& tables, base::Jobs* jobs, FrameBuffer& io_frame) {
   for (const DrawCommand& command : list.commands) check_command(command);
-  const auto draw = io_frame.format() == PixelFormat::kIndexed ? draw_rows<IndexedPaint> : draw_rows<RgbPaint>;
+  const auto draw =
+      io_frame.format() == PixelFormat::kIndexed ? draw_rows<IndexedPaint> : draw_rows<RgbPaint>;
   const std::int64_t height = io_frame.height();
   if (jobs == nullptr) return draw(list, tables, {0, height}, io_frame);
   // Many, as most of it lies in a few rows, the status bar's.

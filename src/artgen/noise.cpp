@@ -1,4 +1,4 @@
-#include "artgen/level/texture_noise.h"
+#include "artgen/noise.h"
 
 #include <cmath>
 
@@ -15,13 +15,13 @@ double mix(double from, double to, double fraction) {
   return from + (to - from) * fraction;
 }
 
-// Values at the corners of a grid of `cells` x `cells`, blended between.
-double value_noise(double x, double y, std::int32_t cells, std::uint64_t seed) {
+// Values at the corners of a grid of `columns` x `rows` that repeats, blended between.
+double value_noise(double x, double y, std::int32_t columns, std::int32_t rows, std::uint64_t seed) {
   const auto x0 = static_cast<std::int32_t>(std::floor(x));
   const auto y0 = static_cast<std::int32_t>(std::floor(y));
   const auto corner = [&](std::int32_t dx, std::int32_t dy) {
-    const auto wrap = [&](std::int32_t value) { return (value % cells + cells) % cells; };
-    return hash_noise(wrap(x0 + dx), wrap(y0 + dy), seed);
+    const auto wrap = [](std::int32_t value, std::int32_t count) { return (value % count + count) % count; };
+    return hash_noise(wrap(x0 + dx, columns), wrap(y0 + dy, rows), seed);
   };
   const double along_x = smooth(x - x0);
   return mix(mix(corner(0, 0), corner(1, 0), along_x), mix(corner(0, 1), corner(1, 1), along_x),
@@ -39,16 +39,22 @@ double hash_noise(std::int32_t x, std::int32_t y, std::uint64_t seed) {
 }
 
 double tiling_noise(double x, double y, std::int32_t period, std::int32_t lump, std::uint64_t seed) {
+  const std::int32_t cells = period / lump;
+  return tiling_noise(x / period, y / period, {cells, cells, kOctaves}, seed);
+}
+
+double tiling_noise(double across, double down, const NoiseLumps& lumps, std::uint64_t seed) {
   double sum = 0;
   double weight = 0.5;
   double weights = 0;
-  std::int32_t cells = period / lump;
-  for (int octave = 0; octave < kOctaves; ++octave) {
-    const double scale = static_cast<double>(cells) / period;
-    sum += weight * value_noise(x * scale, y * scale, cells, seed + static_cast<std::uint64_t>(octave));
+  std::int32_t columns = lumps.across, rows = lumps.down;
+  for (std::int32_t octave = 0; octave < lumps.octaves; ++octave) {
+    sum += weight * value_noise(across * columns, down * rows, columns, rows,
+                                seed + static_cast<std::uint64_t>(octave));
     weights += weight;
     weight /= 2;
-    cells *= 2;
+    columns *= 2;
+    rows *= 2;
   }
   return sum / weights;
 }

@@ -8,18 +8,18 @@
 #include "formats/nearest_colour.h"
 #include "formats/palette.h"
 
-namespace temblor::compiler {
+namespace temblor::formats {
 
 // The palette, and what of it a texel may become. Making one takes some ten milliseconds.
 struct MipColours {
-  explicit MipColours(const formats::Palette& game_palette)
+  explicit MipColours(const Palette& game_palette)
       : palette(game_palette),
-        dull(palette, 0, formats::kFirstFullbright),
-        bright(palette, formats::kFirstFullbright, formats::kTransparentIndex - formats::kFirstFullbright),
-        any(palette, 0, formats::kTransparentIndex) {}
+        dull(palette, 0, kFirstFullbright),
+        bright(palette, kFirstFullbright, kTransparentIndex - kFirstFullbright),
+        any(palette, 0, kTransparentIndex) {}
 
-  formats::Palette palette;
-  formats::NearestColour dull, bright, any;
+  Palette palette;
+  NearestColour dull, bright, any;
 };
 
 // Each texel is the mean of the four below it, given to the palette by error diffusion (Floyd and Steinberg,
@@ -42,4 +42,4 @@ std::array<std::vector<std::uint8_t>, 4> build_mips(std::vector<std::uint8_t> mi
                                                     std::uint32_t height, bool has_holes,
                                                     const MipColours& colours);
 
-}  // namespace temblor::compiler
+}  // namespace temblor::formats

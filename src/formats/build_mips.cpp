@@ -1,11 +1,11 @@
-#include "compiler/textures/build_mips.h"
+#include "formats/build_mips.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/check.h"
 
-namespace temblor::compiler {
+namespace temblor::formats {
 namespace {
 
 constexpr std::int32_t kMaxLight = 255 * 255;
@@ -16,12 +16,12 @@ constexpr std::int32_t kMaxError = kMaxLight;
 // Red, green and blue, each squared.
 using Light = std::array<std::int32_t, 3>;
 
-Light light_of(formats::Rgb colour) {
+Light light_of(Rgb colour) {
   return {colour.r * colour.r, colour.g * colour.g, colour.b * colour.b};
 }
 
 // The nearest that can be shown.
-formats::Rgb colour_of(const Light& light) {
+Rgb colour_of(const Light& light) {
   const auto channel = [](std::int32_t squared) {
     const auto shown = static_cast<double>(std::clamp(squared, 0, kMaxLight));
     return static_cast<std::uint8_t>(std::lround(std::sqrt(shown)));
@@ -50,9 +50,9 @@ Texel mean_of_four(const Level& above, std::uint32_t x, std::uint32_t y, bool ha
   for (const std::uint32_t row : {2 * y, 2 * y + 1})
     for (const std::uint32_t column : {2 * x, 2 * x + 1}) {
       const std::size_t at = std::size_t{row} * above.width + column;
-      if (has_holes && above.indices[at] == formats::kTransparentIndex) continue;
+      if (has_holes && above.indices[at] == kTransparentIndex) continue;
       ++seen;
-      bright += above.indices[at] >= formats::kFirstFullbright;
+      bright += above.indices[at] >= kFirstFullbright;
       for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += above.lights[at][c];
     }
   Texel texel;
@@ -66,7 +66,7 @@ Texel mean_of_four(const Level& above, std::uint32_t x, std::uint32_t y, bool ha
 }
 
 std::uint8_t nearest_index(const MipColours& colours, TexelKind kind, const Light& light) {
-  const formats::Rgb colour = colour_of(light);
+  const Rgb colour = colour_of(light);
   switch (kind) {
     case TexelKind::kDull:
       return colours.dull.find(colour);
@@ -77,7 +77,7 @@ std::uint8_t nearest_index(const MipColours& colours, TexelKind kind, const Ligh
     case TexelKind::kHole:
       break;
   }
-  return formats::kTransparentIndex;
+  return kTransparentIndex;
 }
 
 // The errors that a row of texels was handed, in sixteenths.
@@ -142,4 +142,4 @@ std::array<std::vector<std::uint8_t>, 4> build_mips(std::vector<std::uint8_t> mi
   return mips;
 }
 
-}  // namespace temblor::compiler
+}  // namespace temblor::formats

@@ -1,4 +1,4 @@
-#include "compiler/textures/build_mips.h"
+#include "formats/build_mips.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "support/game_data.h"
 #include "support/random.h"
 
-namespace temblor::compiler {
+namespace temblor::formats {
 namespace {
 
 using Mips = std::array<std::vector<std::uint8_t>, 4>;
@@ -28,12 +28,12 @@ const MipColours& made_colours() {
 
 // The mean of each channel's square, over what is no hole.
 std::array<double, 3> mean_light(const std::vector<std::uint8_t>& mip, bool has_holes,
-                                 const formats::Palette& palette) {
+                                 const Palette& palette) {
   std::array<double, 3> sum{};
   double count = 0;
   for (const std::uint8_t index : mip) {
     if (has_holes && index == 255) continue;
-    const formats::Rgb& colour = palette[index];
+    const Rgb& colour = palette[index];
     sum[0] += colour.r * colour.r;
     sum[1] += colour.g * colour.g;
     sum[2] += colour.b * colour.b;
@@ -85,8 +85,8 @@ TEST(BuildMips, OneColourStaysItself) {
 
 TEST(BuildMips, AMeanBetweenTwoColoursIsDithered) {
   // A board of black and the brightest grey: half the light, which a grey of 255 / sqrt(2) has.
-  formats::Palette palette{};
-  for (std::size_t i = 0; i < 3; ++i) palette[i] = formats::Rgb{255, 255, 255};
+  Palette palette{};
+  for (std::size_t i = 0; i < 3; ++i) palette[i] = Rgb{255, 255, 255};
   palette[0] = {0, 0, 0};
   palette[1] = {180, 180, 180};
   const MipColours colours(palette);
@@ -127,18 +127,18 @@ TEST(BuildMips, RandomTextures) {
 
 TEST(BuildMips, StockTexturesKeepTheirMeanColour) {
   DATA_FOLDER_OR_SKIP(data);
-  const auto palette = formats::read_palette(test::read_file(data / "id1" / "gfx" / "palette.lmp"));
+  const auto palette = read_palette(test::read_file(data / "id1" / "gfx" / "palette.lmp"));
   ASSERT_TRUE(palette.ok());
   const MipColours colours(*palette);
   int textures = 0;
   for (const char* wad : {"lq_tech.wad", "lq_liquidsky.wad", "lq_dev.wad"}) {
     const base::ByteVector bytes = test::read_file(data / "wads" / wad);
-    const auto lumps = formats::read_wad(bytes);
-    for (const formats::WadLump& lump : lumps.value()) {
+    const auto lumps = read_wad(bytes);
+    for (const WadLump& lump : lumps.value()) {
       if (test::kQuick && textures >= 20) break;
-      if (lump.type != formats::kWadTexture) continue;
+      if (lump.type != kWadTexture) continue;
       SCOPED_TRACE(lump.name);
-      const formats::WadTexture texture = formats::read_wad_texture(lump.data).value();
+      const WadTexture texture = read_wad_texture(lump.data).value();
       const bool has_holes = texture.name.starts_with('{');
       const Mips mips = build_mips(texture.mips[0], texture.width, texture.height, has_holes, colours);
       check_texels(mips, texture.width, texture.height, has_holes);
@@ -160,4 +160,4 @@ TEST(BuildMips, StockTexturesKeepTheirMeanColour) {
 }
 
 }  // namespace
-}  // namespace temblor::compiler
+}  // namespace temblor::formats

@@ -1,0 +1,274 @@
+// What the words of sound recipes mean, held against what physics and arithmetic say of the signal.
+#include <gtest/gtest.h>
+#include <sndfile.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "artgen/recipe.h"
+#include "artgen/sounds/curve.h"
+#include "artgen/sounds/mastering.h"
+#include "artgen/sounds/music_maker.h"
+#include "artgen/sounds/patch.h"
+#include "artgen/sounds/sound_maker.h"
+#include "artgen/sounds/vorbis_file.h"
+#include "formats/wav.h"
+#include "support/temporary_folder.h"
+
+namespace temblor::artgen {
+namespace {
+
+std::vector<RecipeLine> lines_of(std::string_view text) {
+  base::Result<std::vector<RecipeLine>> lines = read_recipe(text);
+  EXPECT_TRUE(lines.ok());
+  return lines.ok() ? std::move(lines).value() : std::vector<RecipeLine>();
+}
+
+Signal patch(std::string_view text, double seconds) {
+  const base::Result<Signal> signal = render_patch(lines_of(text), {kSynthesisRate, seconds, seconds, 1, 7});
+  EXPECT_TRUE(signal.ok()) << (signal.ok() ? "" : signal.error().message());
+  return signal.ok() ? *signal : Signal();
+}
+
+std::string error_of(std::string_view sound) {
+  const base::Result<std::vector<ArtPart>> made = make_sound_file(lines_of(sound).front());
+  return made.ok() ? "none" : made.error().message();
+}
+
+// How much of a sine of that frequency is in it: 1 where it is that sine.
+double share_of(const Signal& signal, double hertz, double rate = kSynthesisRate, std::size_t from = 0,
+                std::size_t count = std::string::npos) {
+  count = std::min(count, signal.size() - from);
+  std::complex<double> sum = 0;
+  double weights = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i);
+    const double weight = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * t / static_cast<double>(count));
+    sum += weight * signal[from + i] * std::polar(1.0, -2 * std::numbers::pi * hertz * t / rate);
+    weights += weight;
+  }
+  return 2 * std::abs(sum) / weights;
+}
+
+double db(double ratio) {
+  return 20 * std::log10(ratio);
+}
+
+TEST(SoundLanguage, CurvesGoThroughTheirPoints) {
+  const std::vector<RecipeLine> lines = lines_of("x level=0..1@0.5..0 pitch=100..400 steady=3 even=0..1..0");
+  Arguments arguments(lines.front());
+  const Curve level = curve_setting(arguments, "level", 1, {0, 1}, 2);
+  for (const auto& [time_s, value] :
+       std::vector<std::pair<double, double>>{{0, 0}, {0.25, 0.5}, {0.5, 1}, {1.25, 0.5}, {2, 0}, {9, 0}})
+    EXPECT_NEAR(level.at(time_s), value, 1e-12) << time_s;
+  EXPECT_NEAR(curve_setting(arguments, "pitch", 1, kHertz, 2).at(1), 200, 1e-9);
+  EXPECT_EQ(curve_setting(arguments, "steady", 1, {0, 5}, 2).at(1), 3);
+  EXPECT_NEAR(curve_setting(arguments, "even", 1, {0, 1}, 3).at(1.5), 1, 1e-12);
+  EXPECT_EQ(curve_setting(arguments, "missing", 0.25, {0, 1}, 3).at(1), 0.25);
+  EXPECT_TRUE(arguments.finish().ok());
+}
+
+TEST(SoundLanguage, ASawHasTheHarmonicsOfItsSeries) {
+  const Signal saw = patch("tone saw pitch=200 attack=0 fade=0", 1);
+  for (int n = 1; n <= 12; ++n) EXPECT_NEAR(share_of(saw, 200.0 * n), 2 / (std::numbers::pi * n), 0.02) << n;
+  // Where harmonics beyond half the rate would come back, there is next to nothing.
+  const Signal high = patch("tone saw pitch=4100 attack=0 fade=0", 1);
+  EXPECT_LT(db(share_of(high, kSynthesisRate - 6 * 4100.0) / share_of(high, 4100)), -25);
+}
+
+TEST(SoundLanguage, GlidesArriveAtTheirPitch) {
+  const Signal tone = patch("tone sine pitch=200..800 attack=0 fade=0", 1);
+  const std::size_t window = 2048, end = tone.size() - window;
+  EXPECT_GT(share_of(tone, 205, kSynthesisRate, 0, window), 0.8);
+  EXPECT_GT(share_of(tone, 780, kSynthesisRate, end, window), 0.8);
+  EXPECT_LT(share_of(tone, 780, kSynthesisRate, 0, window), 0.1);
+}
+
+TEST(SoundLanguage, FiltersTakeWhatTheySay) {
+  const auto through = [](const std::string& filter, double hertz) {
+    return db(share_of(patch("tone sine pitch=" + std::to_string(hertz) + "\n  " + filter, 1), hertz));
+  };
+  EXPECT_NEAR(through("lowpass 500", 50), 0, 0.2);
+  EXPECT_NEAR(through("lowpass 500", 4000), -36, 2);          // two poles, three octaves
+  EXPECT_NEAR(through("lowpass 500 times=2", 4000), -72, 4);  // and twice
+  EXPECT_NEAR(through("highpass 4000", 500), -36, 2);
+  EXPECT_NEAR(through("bandpass 1000 q=10", 1000), 0, 0.2);
+  EXPECT_LT(through("bandpass 1000 q=10", 2000), -20);
+  EXPECT_NEAR(through("boost 1000 by=4 q=5", 1000), 12.04, 0.3);
+}
+
+TEST(SoundLanguage, WhatIsStruckRingsAsLongAsItSays) {
+  const Signal bar = patch("strike bar pitch=440 ring=1 hardness=0.6 fade=0", 1.2);
+  const std::size_t window = 4096;
+  const auto at = [&](double seconds) {
+    return share_of(bar, 440, kSynthesisRate, frames_in(seconds, kSynthesisRate), window);
+  };
+  EXPECT_NEAR(db(at(0.6) / at(0.1)), -30, 1.5);  // 60 dB a second
+  // A free bar's second resonance stands at 2.756 times the first, and is gone sooner.
+  const auto second = [&](double seconds) {
+    return share_of(bar, 440 * 2.756, kSynthesisRate, frames_in(seconds, kSynthesisRate), window);
+  };
+  EXPECT_GT(second(0.0), 10 * share_of(bar, 440 * 2.0, kSynthesisRate, 0, window));
+  EXPECT_LT(second(0.6) / second(0.1), at(0.6) / at(0.1));
+}
+
+TEST(SoundLanguage, AStringIsInTune) {
+  for (const double hertz : {55.0, 110.0, 196.0, 440.0}) {
+    const Signal string = patch("pluck ring=3 pitch=" + std::to_string(hertz), 1);
+    const double own = share_of(string, hertz);
+    EXPECT_GT(own, 3 * share_of(string, hertz * 1.03)) << hertz;
+    EXPECT_GT(own, 3 * share_of(string, hertz * 0.97)) << hertz;
+  }
+}
+
+TEST(SoundLanguage, VowelsHaveTheirResonances) {
+  const auto near = [](const Signal& voice, double hertz) {
+    double sum = 0;  // harmonics of 100 Hz within a band around it
+    for (double f = std::round(hertz / 100) * 100 - 100; f < hertz + 150; f += 100)
+      sum = std::max(sum, share_of(voice, f));
+    return sum;
+  };
+  const Signal a = patch("throat a pitch=100 rough=0 breath=0", 1);
+  const Signal i = patch("throat i pitch=100 rough=0 breath=0", 1);
+  EXPECT_GT(db(near(a, 730) / near(a, 300)), 6);
+  EXPECT_GT(db(near(i, 270) / near(i, 730)), 6);
+  // A throat twice as long has them an octave lower.
+  const Signal big = patch("throat a size=2 pitch=100 rough=0 breath=0", 1);
+  EXPECT_GT(near(big, 365), 2 * near(big, 900));
+}
+
+TEST(SoundLanguage, RepetitionsComeInTheirTime) {
+  const Signal clicks = patch("tone sine pitch=1000 for=0.01 times=3 every=0.2", 0.7);
+  const auto power = [&](double from_s, double to_s) {
+    double sum = 0;
+    for (std::size_t i = frames_in(from_s, kSynthesisRate); i < frames_in(to_s, kSynthesisRate); ++i)
+      sum += clicks[i] * clicks[i];
+    return sum;
+  };
+  for (const double at : {0.0, 0.2, 0.4}) {
+    EXPECT_GT(power(at, at + 0.012), 50) << at;
+    EXPECT_LT(power(at + 0.02, at + 0.19), 1e-9) << at;
+  }
+}
+
+TEST(SoundLanguage, HalfTheRateKeepsWhatItCanHold) {
+  const Signal low = halve_rate(patch("tone sine pitch=1000", 1));
+  EXPECT_NEAR(db(share_of(low, 1000, kSynthesisRate / 2)), 0, 0.05);
+  const Signal high = halve_rate(patch("tone sine pitch=15000", 1));
+  EXPECT_LT(db(share_of(high, kSynthesisRate / 2 - 15000, kSynthesisRate / 2)), -60);
+}
+
+TEST(SoundLanguage, ALoopLeadsOverToItsStart) {
+  const std::string text =
+      "sound x/y length=1 loop=0.25 class=ambience blend=0.2\n"
+      "  noise pink\n"
+      "    lowpass 300\n";
+  const base::Result<std::vector<ArtPart>> made = make_sound_file(lines_of(text).front());
+  ASSERT_TRUE(made.ok());
+  const base::Result<formats::Wav> wav = formats::read_wav(made->front().bytes);
+  ASSERT_TRUE(wav.ok());
+  ASSERT_TRUE(wav->loop.has_value());
+  EXPECT_EQ(wav->loop->end, wav->frame_count());
+  EXPECT_NEAR(wav->loop->start, 0.25 * 22050, 1);
+  // The last sample goes on to the first of the loop as the one before that did.
+  const int before = wav->samples[wav->loop->start - 1], last = wav->samples.back();
+  EXPECT_LT(std::abs(before - last), 400);
+}
+
+TEST(SoundLanguage, WrongLinesAreTold) {
+  EXPECT_NE(error_of("sound x/y length=1\n  hum pitch=3")
+                .find("line 2: hum: neither a voice nor an effect; there are tone"),
+            std::string::npos);
+  EXPECT_NE(error_of("sound x/y length=1\n  tone saw pitch=high")
+                .find("line 2: tone: pitch=high is neither a number"),
+            std::string::npos);
+  EXPECT_NE(error_of("sound x/y length=1\n  tone round").find("'round' is none of sine, triangle"),
+            std::string::npos);
+  EXPECT_NE(error_of("sound x/y length=1\n  strike cheese").find("'cheese' is none of bar, bell"),
+            std::string::npos);
+  EXPECT_NE(error_of("sound x/y length=1\n  throat x").find("'x' are no vowels"), std::string::npos);
+  EXPECT_NE(error_of("sound x/y length=1\n  tone sine loud=3").find("no setting 'loud'"), std::string::npos);
+  EXPECT_NE(error_of("sound x/y length=1\n  tone sine at=2").find("begins when the sound is over"),
+            std::string::npos);
+  EXPECT_NE(error_of("sound x/y\n  tone sine").find("length= is missing"), std::string::npos);
+  EXPECT_NE(error_of("sound ../y length=1\n  tone sine").find("FOLDER/NAME"), std::string::npos);
+  EXPECT_NE(error_of("sound x/y length=1 class=loud\n  tone sine").find("none of blast, weapon"),
+            std::string::npos);
+}
+
+TEST(SoundLanguage, NotesSoundAtTheirPitchAndGoRound) {
+  const std::vector<RecipeLine> lines = lines_of(
+      "music track09 bpm=60 bars=2 beats=4\n"
+      "  instrument flute tail=1 room=0\n"
+      "    tone sine pitch=1 attack=0.01 fade=0.01\n"
+      "  pattern one flute\n"
+      "    notes A4:1 _:2 C5:1\n"
+      "  play one at=1\n"
+      "  play one at=2 transpose=12\n");
+  const base::Result<Score> score = read_score(lines.front());
+  ASSERT_TRUE(score.ok()) << score.error().message();
+  const auto channels = perform(*score);
+  ASSERT_TRUE(channels.ok());
+  const Signal& left = (*channels)[0];
+  ASSERT_EQ(left.size(), frames_in(8, kMusicRate));
+  const auto heard = [&](double seconds, double hertz) {
+    return share_of(left, hertz, kMusicRate, frames_in(seconds, kMusicRate), frames_in(0.8, kMusicRate));
+  };
+  EXPECT_GT(heard(1.1, 440), 0.05);  // its second beat is the tail's
+  EXPECT_LT(heard(2.1, 440), 0.001);
+  EXPECT_GT(heard(3.1, 523.25), 0.05);  // C5
+  EXPECT_GT(heard(7.1, 1046.5), 0.05);  // an octave higher, in the last beat
+  EXPECT_GT(heard(0.1, 1046.5), 0.05);  // whose tail is heard in the first
+}
+
+TEST(SoundLanguage, MusicLinesThatAreWrongAreTold) {
+  const auto error = [](const std::string& below) {
+    const std::vector<RecipeLine> lines = lines_of("music track02 bars=2\n" + below);
+    const base::Result<Score> score = read_score(lines.front());
+    return score.ok() ? "none" : score.error().message();
+  };
+  EXPECT_NE(error("  pattern p lute").find("no instrument 'lute' stands above"), std::string::npos);
+  EXPECT_NE(error("  instrument a\n  pattern p a\n    notes H4").find("'H4' is no note"), std::string::npos);
+  EXPECT_NE(error("  instrument a\n  pattern p a\n    notes A4:0").find("'A4:0' is no note"),
+            std::string::npos);
+  EXPECT_NE(
+      error("  instrument a\n  pattern p a\n    notes A4\n  play p at=3").find("when the piece is over"),
+      std::string::npos);
+  EXPECT_NE(error("  dance").find("none of instrument, pattern, play, room"), std::string::npos);
+}
+
+TEST(SoundLanguage, VorbisIsReadByAnotherLibraryAndTheSameAgain) {
+  std::array<Signal, 2> channels = {patch("tone sine pitch=440 level=0.5", 1),
+                                    patch("tone sine pitch=660 level=0.25", 1)};
+  VorbisSettings settings;
+  settings.frames_per_second = static_cast<long>(kSynthesisRate);
+  settings.quality = 0.5F;
+  const base::Result<base::ByteVector> bytes = write_vorbis(channels, settings);
+  ASSERT_TRUE(bytes.ok());
+  EXPECT_EQ(*bytes, *write_vorbis(channels, settings));
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("x.ogg", *bytes).string();
+  SF_INFO info{};
+  SNDFILE* const file = sf_open(path.c_str(), SFM_READ, &info);
+  ASSERT_NE(file, nullptr);
+  std::vector<double> both(static_cast<std::size_t>(info.frames) * 2);
+  EXPECT_EQ(sf_readf_double(file, both.data(), info.frames), info.frames);
+  sf_close(file);
+  ASSERT_EQ(info.channels, 2);
+  ASSERT_EQ(static_cast<std::size_t>(info.frames), channels[0].size());
+  std::array<Signal, 2> read;
+  for (std::size_t i = 0; i < both.size(); ++i) read[i % 2].push_back(both[i]);
+  EXPECT_NEAR(share_of(read[0], 440), 0.5, 0.02);
+  EXPECT_NEAR(share_of(read[1], 660), 0.25, 0.02);
+  settings.frames_per_second = 1'000'000;
+  EXPECT_FALSE(write_vorbis(channels, settings).ok());
+}
+
+}  // namespace
+}  // namespace temblor::artgen
