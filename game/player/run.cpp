@@ -123,6 +123,7 @@ class Run {
       moves_[i] = session_->client(i).is_playing()
                       ? brains_[i]->think(session_->game(), turned, session_->now_s())
                       : net::Move{};
+      if (brains_[i]->wants_to_begin_again()) session_->client(i).send_command("kill");
     }
   }
 
