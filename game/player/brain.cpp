@@ -82,8 +82,9 @@ net::Move Brain::think(server::Game& io_game, std::optional<math::Vec3> view_deg
   const Self self = feel_self(io_game, setup_.slot);
   if (view_deg) view_.set(*view_deg);
   if (!self.is_alive()) {
-    if (was_alive_) note_death(io_game, self);
-    was_alive_ = false;
+    const bool is_dead = io_game.player(setup_.slot)[field::kDeadFlag] != 0;
+    if (was_alive_ && is_dead) note_death(io_game, self);
+    was_alive_ = was_alive_ && !is_dead;
     drop_task();
     settled_since_s_ = now_s;
     // Buttons have to be let go of first.
