@@ -15,10 +15,10 @@ namespace field = server::field;
 
 constexpr double kPlanEvery_s = 2.5, kCheckRouteEvery_s = 0.4, kItemsEvery_s = 1.2;
 constexpr double kSettle_s = 0.4;
-constexpr double kForgiveAfter_s = 6;
+constexpr double kForgiveAfter_s = 6, kDeadEndAfter_s = 10;
 constexpr float kReachSlack_units = 4;
 constexpr int kAttackButton = 1, kJumpButton = 2;
-constexpr int kSecretTries = 3;
+constexpr int kSecretTries = 3, kMostDeadEnds = 3;
 constexpr float kFleeHealth = 45, kFleeCost = 600;
 
 // Seconds that an act may take.
@@ -82,8 +82,9 @@ net::Move Brain::think(server::Game& io_game, std::optional<math::Vec3> view_deg
   const Self self = feel_self(io_game, setup_.slot);
   if (view_deg) view_.set(*view_deg);
   if (!self.is_alive()) {
-    if (was_alive_) note_death(io_game, self);
-    was_alive_ = false;
+    const bool is_dead = io_game.player(setup_.slot)[field::kDeadFlag] != 0;
+    if (was_alive_ && is_dead) note_death(io_game, self);
+    was_alive_ = was_alive_ && !is_dead;
     drop_task();
     settled_since_s_ = now_s;
     // Buttons have to be let go of first.
@@ -319,6 +320,13 @@ void Brain::find_work(server::Game&, const Self& self, double now_s) {
   }
   if (!in_vain_since_s_) in_vain_since_s_ = now_s;
   if (now_s - *in_vain_since_s_ > kForgiveAfter_s) router_.forgive();
+  if (now_s - *in_vain_since_s_ > kDeadEndAfter_s && dead_ends_ < kMostDeadEnds) {
+    ++dead_ends_;
+    const math::Vec3 o = self.origin;
+    complain(fmt::format("a dead end at {:.0f} {:.0f} {:.0f}: began again", o.x, o.y, o.z));
+    in_vain_since_s_ = now_s;
+    wants_to_begin_again_ = true;
+  }
   if (now_s - *in_vain_since_s_ > setup_.patience_s && !has_given_up_) {
     has_given_up_ = true;
     const math::Vec3 o = self.origin;
@@ -360,7 +368,9 @@ std::optional<Task> Brain::task_for_secret(std::uint32_t at) {
   waits_for_secret_ = false;
   for (const vm::EntityIndex secret : map_->facts.secrets) {
     const auto number = static_cast<std::uint32_t>(secret);
-    if (hopeless_secrets_.contains(number) || !server::is_there(game_->world(), secret)) continue;
+    if (hopeless_secrets_.contains(number) || !server::is_there(game_->world(), secret) ||
+        class_name(*game_, secret) != "trigger_secret")
+      continue;
     const server::Edict edict = game_->world().edicts[secret];
     if (edict.solid() != server::Solid::kTrigger ||
         game_->machine().program().name_of(edict[field::kTouch]) == "nothing")

@@ -37,6 +37,8 @@ class Brain {
   // `view_deg`: where the server has turned him, if it did.
   net::Move think(server::Game& io_game, std::optional<math::Vec3> view_deg, double now_s);
 
+  // Stands where no way leads on, and wants to begin the level again ("kill"). Asked once.
+  bool wants_to_begin_again() { return std::exchange(wants_to_begin_again_, false); }
   bool has_given_up() const { return has_given_up_; }
   // Why, a line each; also secrets that cannot be reached.
   const std::vector<std::string>& complaints() const { return complaints_; }
@@ -93,7 +95,8 @@ class Brain {
   double settled_since_s_ = 0;
   std::set<std::uint32_t> hopeless_secrets_;
   std::map<std::uint32_t, int> vain_secrets_;  // how often there was no way to one
-  bool waits_for_secret_ = false;
+  bool waits_for_secret_ = false, wants_to_begin_again_ = false;
+  int dead_ends_ = 0;
   std::map<std::uint32_t, int> tried_items_;
   std::size_t waypoint_ = 0;
   std::vector<std::string> complaints_;

@@ -25,6 +25,7 @@ constexpr float kDeep_units = 4096;
 constexpr std::size_t kMaxAssignments = 24;
 constexpr float kHarmlessFall_units = 256;
 constexpr float kSlimePenalty = 40;
+constexpr float kDeadlyJumpCost = 1500;  // over lava
 
 constexpr std::array<std::array<int, 2>, 8> kDirections = {
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
@@ -46,7 +47,7 @@ void Flood::run(std::span<const math::Vec3> starts) {
     std::vector<Found> found;
     Place place;
     place.at = start;
-    for (const auto& movers : assignments_) try_push(place, {0, 0, 0}, movers, found);
+    for (const auto& movers : assignments_) try_throw(place, {0, 0, 0}, movers, found);
     for (const Found& one : found) add_place(one.at, one.mover, one.state, one.swims);
   }
   while (!open_.empty()) {
@@ -219,7 +220,8 @@ void Flood::try_jump(const Place& place, const math::Vec3& direction, Movers mov
                .mover = end.mover,
                .swims = end.end == Flight::End::kSwims,
                .speed = speed,
-               .cost = 200 + distance + (speed > 250 ? 150.0f : 0.0f)},
+               .cost = 200 + distance + (speed > 250 ? 150.0f : 0.0f) +
+                       (fall_z_ <= -kDeep_units ? kDeadlyJumpCost : 0.0f)},
               movers, io_found);
   }
 }
@@ -244,9 +246,10 @@ void Flood::try_climb_out(const Place& place, const math::Vec3& direction, Mover
   add_found({.kind = WayKind::kClimbOut, .at = at, .mover = down.mover, .cost = 150}, movers, io_found);
 }
 
-void Flood::try_push(const Place& place, const math::Vec3& velocity, Movers movers,
-                     std::vector<Found>& io_found) {
-  const FlightEnd end = fly(space_, place.at, {velocity, {0, 0, 0}}, movers);
+// As it falls, or is thrown, with a wish to go there on the way.
+void Flood::try_throw(const Place& place, const math::Vec3& direction, Movers movers,
+                      std::vector<Found>& io_found) {
+  const FlightEnd end = fly(space_, place.at, {{0, 0, 0}, direction}, movers);
   if (end.end == Flight::End::kLost) return;
   add_found({.kind = WayKind::kPush,
              .at = end.place,
@@ -283,10 +286,13 @@ bool Flood::pass_triggers(std::uint32_t i, const Place& place) {
     if ((!teleports && trigger.kind != TriggerKind::kPush) || !boxes_meet(box, trigger.box)) continue;
     Place from;
     from.at = teleports ? trigger.destination : place.at;
-    const math::Vec3 velocity = teleports ? math::Vec3(0.0f) : trigger.velocity;
-    with_movers({}, around(from.at, teleports ? 4.0f : 200.0f, kDeep_units, 200));
+    with_movers({}, around(from.at, teleports ? 4.0f : 200.0f, kDeep_units, 600));
     std::vector<Found> found;
-    for (const auto& movers : assignments_) try_push(from, velocity, movers, found);
+    for (const auto& movers : assignments_) {
+      try_throw(from, {0, 0, 0}, movers, found);
+      if (teleports) continue;
+      for (const auto& [dx, dy] : kDirections) try_throw(from, level_direction({dx, dy, 0}), movers, found);
+    }
     for (Found& one : found) {
       one.kind = teleports ? WayKind::kTeleport : WayKind::kPush;
       add_way(i, one);

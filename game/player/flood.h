@@ -47,7 +47,8 @@ class Flood {
   void try_jump(const Place& place, const math::Vec3& direction, Movers movers, std::vector<Found>& io_found);
   void try_climb_out(const Place& place, const math::Vec3& direction, Movers movers,
                      std::vector<Found>& io_found);
-  void try_push(const Place& place, const math::Vec3& velocity, Movers movers, std::vector<Found>& io_found);
+  void try_throw(const Place& place, const math::Vec3& direction, Movers movers,
+                 std::vector<Found>& io_found);
   void add_found(Found found, Movers movers, std::vector<Found>& io_found) const;
   void add_rides(std::uint32_t i, const Place& place);
   bool pass_triggers(std::uint32_t i, const Place& place);

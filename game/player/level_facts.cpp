@@ -48,6 +48,8 @@ class Reader {
       read_lift(edict);
     else if (name == "func_train")
       read_train(edict);
+    else if (name == "func_breakable")
+      read_breakable(edict);
     else if (name == "func_button")
       read_button(edict);
     else if (name.starts_with("trigger_"))
@@ -151,6 +153,12 @@ class Reader {
         return index;
     }
     return next;
+  }
+
+  void read_breakable(const Edict& edict) {
+    Mover wall{.kind = MoverKind::kWall};
+    wall.is_shot = edict[field::kTakeDamage] != 0;
+    add_mover(edict, wall, {edict[field::kOrigin], edict[field::kOrigin]});
   }
 
   void read_button(const Edict& edict) {

@@ -13,7 +13,7 @@ namespace {
 constexpr math::Bounds kPlayerBox{movement::kPlayerMins, movement::kPlayerMaxs};
 constexpr float kNear_units = 2;
 constexpr float kFlightStep_s = 1.0f / 72;
-constexpr float kLongestFlight_s = 4;
+constexpr float kLongestFlight_s = 4, kLongestThrow_s = 12;
 constexpr float kGravity = 800, kMaxSpeed = 320, kMaxVelocity = 2000;
 constexpr float kSteerSpeed = 30;
 
@@ -175,11 +175,28 @@ void NavSpace::movers_near(const math::Bounds& origins, std::vector<int>& out_mo
     if (boxes_meet(reach_[i], origins)) out_movers.push_back(static_cast<int>(i));
 }
 
+namespace {
+
+// Wind, and whatever else throws: it sets the velocity of whoever is in it.
+const Trigger* push_at(const NavSpace& space, const math::Vec3& at) {
+  const math::Bounds box{at + kPlayerBox.mins, at + kPlayerBox.maxs};
+  for (const Trigger& trigger : space.facts().triggers)
+    if (trigger.kind == TriggerKind::kPush && boxes_meet(box, trigger.box)) return &trigger;
+  return nullptr;
+}
+
+}  // namespace
+
 FlightEnd fly(const NavSpace& space, const math::Vec3& from, const Flight& flight,
               std::span<const MoverPlace> movers) {
   Faller environment(space, movers);
   movement::Body body{.origin = from, .velocity = flight.velocity};
-  for (float time_s = 0; time_s < kLongestFlight_s; time_s += kFlightStep_s) {
+  float longest_s = kLongestFlight_s;
+  for (float time_s = 0; time_s < longest_s; time_s += kFlightStep_s) {
+    if (const Trigger* push = push_at(space, body.origin)) {
+      body.velocity = push->velocity;
+      longest_s = kLongestThrow_s;
+    }
     const float along = glm::dot(body.velocity, flight.direction);
     if (flight.direction != math::Vec3(0.0f) && along < kSteerSpeed)
       body.velocity += flight.direction * std::min(kSteerSpeed - along, 10 * kMaxSpeed * kFlightStep_s);

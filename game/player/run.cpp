@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSettle_s = 1.0;
 constexpr double kEpilogue_s = 3;
-constexpr double kTellEvery_s = 5;
+constexpr double kTellEvery_s = 5, kAskForGodEvery_s = 1;
 constexpr double kLookAtMonstersEvery_s = 0.25;
 
 class Run {
@@ -90,13 +90,13 @@ class Run {
         last = &game;
         for (auto& brain : brains_) brain->begin_again(game);
         monsters_.emplace(game);
-        if (setup_.has_god) session_->client(0).send_command("god");
       }
       if (is_over()) {
         report_.reached_exit = true;
         return;
       }
       count();
+      keep_gods();
       if (played_s() - looked_s > kLookAtMonstersEvery_s) {
         looked_s = played_s();
         monsters_->look(game, looked_s);
@@ -114,6 +114,18 @@ class Run {
     for (const auto& brain : brains_) report_.complaints.push_back(brain->describe());
   }
 
+  // Again after each death; the command turns it on and off.
+  void keep_gods() {
+    if (!setup_.has_god || played_s() - asked_for_god_s_ < kAskForGodEvery_s) return;
+    asked_for_god_s_ = played_s();
+    for (std::size_t i = 0; i < session_->player_count(); ++i) {
+      const server::Edict player = session_->game().player(session_->slot_of(i));
+      if (session_->client(i).is_playing() && player[server::field::kHealth] > 0 &&
+          !player.has_flag(server::flag::kGodMode))
+        session_->client(i).send_command("god");
+    }
+  }
+
   void think() {
     for (std::size_t i = 0; i < brains_.size(); ++i) {
       const client::Game& seen = session_->client(i).state().game();
@@ -123,6 +135,7 @@ class Run {
       moves_[i] = session_->client(i).is_playing()
                       ? brains_[i]->think(session_->game(), turned, session_->now_s())
                       : net::Move{};
+      if (brains_[i]->wants_to_begin_again()) session_->client(i).send_command("kill");
     }
   }
 
@@ -212,7 +225,7 @@ class Run {
   std::vector<std::uint32_t> turns_;
   RunReport report_;
   std::string map_name_;
-  double began_s_ = 0;
+  double began_s_ = 0, asked_for_god_s_ = 0;
 };
 
 }  // namespace
