@@ -15,7 +15,9 @@ namespace temblor::artgen {
 
 class PlanLine {
  public:
+  // Both must outlive it.
   PlanLine(const RecipeLine& line, const Scope& scope) : line_(line), scope_(scope), arguments_(line) {}
+  PlanLine(const RecipeLine& line, const Scope&& scope) = delete;
 
   // By place, each call the next. In the scope's coordinates.
   Point place(int z_otherwise = 0);

@@ -215,8 +215,8 @@ base::Status read_opening(const RecipeLine& recipe, const Scope& scope, Plan& io
                     sill + height, at, gap->box.size()[other], gap->box.size().z));
   if (!frame.empty()) add_frame(line, hole, gap->across, frame, frame_wide, io_plan);
   TRY_STATUS(line.finish());
-  const PlanLine in_level(recipe, Scope{});
-  if (hole.has_volume()) add_space(in_level, hole, surfaces, hole, io_plan);
+  const Scope level;
+  if (hole.has_volume()) add_space(PlanLine(recipe, level), hole, surfaces, hole, io_plan);
   Placement placement;
   placement.origin = hole.low;
   return read_lines(recipe.below, {placement, hole.size(), surfaces, scope.copy}, io_plan);
