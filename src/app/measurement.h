@@ -40,11 +40,12 @@ struct RelightTimes {
 // Medians over all warm frames unless said otherwise. Milliseconds of wall time.
 struct Measurement {
   MeasureOptions options;
-  std::size_t places = 0;  // viewpoints of the level; 0: of a recording
-  std::size_t frames = 0;  // measured; of a level, warm ones
-  double fps = 0;          // frames / (time to render and present them)
-  Distribution frame_ms;   // client, render and present
-  Distribution render_ms;  // all but present
+  std::size_t places = 0;         // viewpoints of the level; 0: of a recording
+  std::size_t frames = 0;         // measured; of a level, warm ones
+  double fps = 0;                 // frames / (time to render and present them)
+  Distribution frame_ms;          // client, render and present
+  Distribution render_ms;         // all but present
+  std::size_t slowest_frame = 0;  // of a recording: which of its packets, from 0
   // Recordings, part of render_ms: messages read, entities and effects moved, status bar and texts laid out.
   Distribution client_ms;
   double client_mean_ms = 0;

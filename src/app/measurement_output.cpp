@@ -46,7 +46,10 @@ std::string describe_measurement(const std::string& name, const Measurement& m) 
                  name_of(m.options.format), m.options.settings.threads);
   fmt::format_to(out, "  {:<11}{:>9.1f}\n", "fps", m.fps);
   times("frame", m.frame_ms);
-  if (is_demo) times("client", m.client_ms);
+  if (is_demo) {
+    fmt::format_to(out, "  {:<11}{:>9} is the slowest frame\n", "", m.slowest_frame);
+    times("client", m.client_ms);
+  }
   times("render", m.render_ms);
   times("present", m.present_ms);
   times("floor", m.floor_ms);
@@ -122,6 +125,7 @@ nlohmann::json json_of(const std::string& name, const Measurement& m) {
     json["models"] = m.models.p50;
     json["triangles"] = m.triangles.p50;
     json["particles"] = m.particles.p50;
+    json["slowest_frame"] = m.slowest_frame;
   }
   if (m.cold_ms) json["cold_ms"] = json_of(*m.cold_ms);
   if (m.relight)

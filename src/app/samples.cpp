@@ -1,5 +1,7 @@
 #include "app/samples.h"
 
+#include <algorithm>
+
 namespace temblor::app {
 
 void Samples::reserve(std::size_t count) {
@@ -31,6 +33,8 @@ void Samples::summarize(std::size_t pixels, Measurement& io_result) const {
   io_result.fps = 1000.0 / mean_of(frame_ms);
   io_result.frame_ms = distribution_of(frame_ms);
   io_result.render_ms = distribution_of(render_ms);
+  io_result.slowest_frame =
+      static_cast<std::size_t>(std::max_element(frame_ms.begin(), frame_ms.end()) - frame_ms.begin());
   io_result.present_mean_ms = mean_of(present_ms);
   io_result.present_ms = distribution_of(present_ms);
   if (!client_ms.empty()) {

@@ -126,6 +126,7 @@ TEST_F(DemoProgram, BenchDrawsEveryPacket) {
   EXPECT_EQ(result.at("demo"), "demo3");
   EXPECT_GT(result.at("frames"), 100);
   EXPECT_GT(result.at("fps"), 0);
+  EXPECT_LT(result.at("slowest_frame"), result.at("frames"));
   for (const char* key : {"frame_ms", "render_ms"}) {
     EXPECT_GT(result.at(key).at("p50"), 0);
     EXPECT_GE(result.at(key).at("p99"), result.at(key).at("p50"));
