@@ -12,11 +12,13 @@ install(TARGETS temblor RUNTIME_DEPENDENCY_SET libraries COMPONENT game)
 
 # What is made, and nothing that playing has left there.
 install(DIRECTORY "${CMAKE_BINARY_DIR}/game/id1" DESTINATION "${game_folder}" COMPONENT game
-        FILES_MATCHING REGEX "/id1/(gfx|maps|music|progs|sound)/." REGEX "/id1/(progs\\.(dat|lno)|[^/]*\\.wad|t[0-9]\\.dem|quake\\.rc)$")
+        FILES_MATCHING REGEX "/id1/(gfx|maps|music|progs|sound)/." REGEX "/id1/(progs\\.(dat|lno)|[^/]*\\.wad|(start|t[0-9]|tdm[0-9]|gallery)\\.dem|quake\\.rc)$")
 install(FILES "${CMAKE_BINARY_DIR}/game/id1/icon/temblor.png" COMPONENT game
         DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/256x256/apps")
 install(FILES packaging/temblor.desktop COMPONENT game DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
 install(FILES LICENSE README.md COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+# Where Debian looks for it.
+install(FILES LICENSE COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright)
 install(DIRECTORY docs COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
 
 # All but the C library's, which go with the system's loader.

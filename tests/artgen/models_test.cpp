@@ -16,12 +16,16 @@
 #include "artgen/parts.h"
 #include "base/parallel_for.h"
 #include "formats/mdl.h"
+#include "support/mdl_places.h"
 
 namespace temblor::artgen {
 namespace {
 
 using formats::Mdl;
 using math::Vec3d;
+using test::Extent;
+using test::extent_of;
+using test::place_of;
 
 RecipeLine thing_of(const std::string& text) {
   const auto recipe = read_recipe(text);
@@ -42,24 +46,6 @@ std::string error_of(const std::string& lines) {
 
 Mdl mdl_of(const std::string& lines) {
   return make_mdl(model_of(lines));
-}
-
-Vec3d place_of(const Mdl& mdl, std::size_t frame, std::size_t vertex) {
-  const auto& bytes = mdl.frames[frame].poses.front().vertices[vertex].position;
-  return Vec3d(mdl.scale) * Vec3d(bytes[0], bytes[1], bytes[2]) + Vec3d(mdl.origin);
-}
-
-struct Extent {
-  Vec3d low{1e9}, high{-1e9};
-};
-
-Extent extent_of(const Mdl& mdl, std::size_t frame) {
-  Extent extent;
-  for (std::size_t i = 0; i < mdl.texels.size(); ++i) {
-    extent.low = glm::min(extent.low, place_of(mdl, frame, i));
-    extent.high = glm::max(extent.high, place_of(mdl, frame, i));
-  }
-  return extent;
 }
 
 constexpr const char* kPaintAndBone = "  paint plain grey\n  bone a 0,0,0\n";
