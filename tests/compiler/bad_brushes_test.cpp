@@ -129,6 +129,10 @@ TEST(BadMaps, AreToldAndStillALevel) {
        {Case{entity_text("worldspawn", "", walls_text(kRoomMins, kRoomMaxs, "wall")), "no info_player_start"},
         Case{room_text() + entity_text("worldspawn", "", box_text({0, 0, 0}, {9, 9, 9}, "bad")),
              "a second worldspawn, of which only brushes are taken: entity 2, line 57"},
+        Case{
+            entity_text("worldspawn", "\"fog\" \"0.02 60 66 74\"", walls_text(kRoomMins, kRoomMaxs, "wall")) +
+                start,
+            "fog brighter than white: line 1: fog is its density, then red, green and blue from 0 to 1"},
         Case{entity_text("worldspawn", "", walls_text(kRoomMins, kRoomMaxs, "skip")) + start,
              "nothing is drawn"},
         Case{entity_text("worldspawn", "", box_text(Vec3d(-5e5), Vec3d(5e5), "bad")) + start,
