@@ -34,6 +34,7 @@ MeasureOptions measure_options(const BenchOptions& options, const render::Settin
   measure_options.format = options.frame.format;
   measure_options.fov_deg = options.frame.fov_deg;
   measure_options.step_deg = options.step_deg;
+  measure_options.runs = options.runs;
   measure_options.cold = options.cold;
   measure_options.relight = options.relight;
   measure_options.settings = settings;
@@ -57,6 +58,14 @@ CLI::App* add_bench_command(CLI::App& program, BenchOptions& io_options) {
   command->add_option("--step", io_options.step_deg, "Turn between two views of a circle")
       ->type_name("DEGREES")
       ->check(CLI::Range(0.1, 360.0))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--runs", io_options.runs,
+          "Draws a recording so often and takes each frame's quickest: what it costs where other work "
+          "disturbs the machine")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100))
       ->capture_default_str();
   command->add_flag("--cold", io_options.cold, "Also times views whose surfaces are still to be built");
   command->add_flag("--relight", io_options.relight, "Also times views whose light changes");

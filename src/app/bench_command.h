@@ -20,6 +20,7 @@ struct BenchOptions {
   std::vector<std::string> demos;
   FrameOptions frame{.size = {1920, 1080}};
   double step_deg = 5;
+  int runs = 1;
   bool cold = false;
   bool relight = false;
   bool json = false;

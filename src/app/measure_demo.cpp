@@ -32,19 +32,15 @@ class Window {
   base::LargeMemory<std::uint32_t> pixels_;
 };
 
-}  // namespace
-
-base::Result<Measurement> measure_demo(const LoadedDemo& demo,
-                                       const client::PresentationSettings& presentation,
-                                       const MeasureOptions& options) {
+// The recording once, from its beginning, with nothing built.
+base::Result<Samples> play_through(const LoadedDemo& demo, const client::PresentationSettings& presentation,
+                                   const MeasureOptions& options, Measurement& io_result) {
   TRY(const client::DemoLength length, client::DemoPlayer::scan(demo.bytes, demo.name));
   const FrameOptions frame_options{
       .size = options.size, .format = options.format, .fov_deg = options.fov_deg, .threads = {}};
   TRY(DemoRun run, DemoRun::start(demo, frame_options, presentation, options.settings));
   Window window(run.frame(), options);
   const int floor_placement = quickest_floor_placement(run.frame());
-  Measurement result;
-  result.options = options;
   Samples samples;
   samples.reserve(length.packets);
   Progress progress("frames");
@@ -59,18 +55,36 @@ base::Result<Measurement> measure_demo(const LoadedDemo& demo,
     render::FrameStats stats;
     const double render_ms = time_ms([&] { stats = run.draw(); });
     const double present_ms = time_ms([&] { window.present(run.frame(), demo.look.palette); });
-    result.count_allocations(allocation_count() - allocations_before);
+    io_result.count_allocations(allocation_count() - allocations_before);
     samples.client_ms.push_back(client_ms);
     samples.render_ms.push_back(client_ms + render_ms);
     samples.present_ms.push_back(present_ms);
     samples.frame_ms.push_back(client_ms + render_ms + present_ms);
     samples.floor_ms.push_back(time_ms([&] { fill_with_floor_loop(floor_placement, run.frame()); }));
     samples.add(stats);
-    result.surfaces_built += stats.surfaces_built;
-    result.cache_bytes = stats.cache_bytes;
+    io_result.surfaces_built += stats.surfaces_built;
+    io_result.cache_bytes = stats.cache_bytes;
   }
   for (const std::string& note : run.take_notes()) print_note(note);
-  samples.summarize(run.frame().pixel_count(), result);
+  return samples;
+}
+
+}  // namespace
+
+base::Result<Measurement> measure_demo(const LoadedDemo& demo,
+                                       const client::PresentationSettings& presentation,
+                                       const MeasureOptions& options) {
+  Measurement result;
+  result.options = options;
+  TRY(Samples samples, play_through(demo, presentation, options, result));
+  for (int i = 1; i < options.runs; ++i) {
+    Measurement again;
+    TRY(const Samples others, play_through(demo, presentation, options, again));
+    samples.keep_quickest(others);
+  }
+  const auto pixels =
+      static_cast<std::size_t>(options.size.width) * static_cast<std::size_t>(options.size.height);
+  samples.summarize(pixels, result);
   return result;
 }
 

@@ -22,6 +22,7 @@ struct MeasureOptions {
   render::PixelFormat format = render::PixelFormat::kRgb;
   float fov_deg = 90;
   double step_deg = 5;   // from one view of a circle to the next
+  int runs = 1;          // of a recording: each frame's times are those of its quickest run
   bool cold = false;     // also measure views whose surfaces are all still to be built
   bool relight = false;  // and views whose light changes
   render::Settings settings;

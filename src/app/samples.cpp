@@ -28,6 +28,19 @@ void Samples::add(const render::FrameStats& stats) {
   }
 }
 
+void Samples::keep_quickest(const Samples& others) {
+  const std::size_t count = std::min(frame_ms.size(), others.frame_ms.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (others.frame_ms[i] < frame_ms[i]) {
+      frame_ms[i] = others.frame_ms[i];
+      client_ms[i] = others.client_ms[i];
+      render_ms[i] = others.render_ms[i];
+      present_ms[i] = others.present_ms[i];
+    }
+    floor_ms[i] = std::min(floor_ms[i], others.floor_ms[i]);
+  }
+}
+
 void Samples::summarize(std::size_t pixels, Measurement& io_result) const {
   io_result.frames = frame_ms.size();
   io_result.fps = 1000.0 / mean_of(frame_ms);

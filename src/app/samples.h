@@ -27,6 +27,8 @@ struct Samples {
 
   void reserve(std::size_t count);
   void add(const render::FrameStats& stats);
+  // Of each frame the quicker one's times; what was counted in it is the same. Stages stay this one's.
+  void keep_quickest(const Samples& others);
   // Fills in what is worked out from samples.
   void summarize(std::size_t pixels, Measurement& io_result) const;
 };

@@ -39,6 +39,10 @@ class FrameBuffer {
   std::span<std::uint32_t> rgb() { return {rgb_.get(), format_ == PixelFormat::kRgb ? pixel_count() : 0}; }
   std::span<const std::uint8_t> indexed() const { return const_cast<FrameBuffer*>(this)->indexed(); }
   std::span<const std::uint32_t> rgb() const { return const_cast<FrameBuffer*>(this)->rgb(); }
+  // Puts other memory, for pixel_count() pixels, in the place of theirs, which is handed out: a stage that
+  // moves pixels about writes them there first. Spans taken before go with it.
+  void exchange(base::LargeMemory<std::uint8_t>& io_indexed) { indexed_.swap(io_indexed); }
+  void exchange(base::LargeMemory<std::uint32_t>& io_rgb) { rgb_.swap(io_rgb); }
   // Perspective: 1/z in 1/units, larger is nearer. Orthographic: minus the distance along the view, linear.
   // Pixels that show the background have the smallest float.
   std::span<float> depth() { return {depth_.get(), pixel_count()}; }

@@ -177,8 +177,11 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
     draw_translucent(scene, settings, visible, late.translucent, late_target, *s.jobs, s.arena, s.job_arenas,
                      io_frame);
   clock.end(Stage::kTranslucent);
-  if (scene.underwater) s.warp.apply(scene.time_s, *s.jobs, io_frame);
-  tint_picture(scene.tint, s.colour_tables, settings.vector_kernels, *s.jobs, io_frame);
+  const PictureTint tint(scene.tint, s.colour_tables, format, settings.vector_kernels);
+  if (scene.underwater)
+    s.warp.apply(scene.time_s, tint, *s.jobs, io_frame);
+  else
+    tint_picture(tint, *s.jobs, io_frame);
   clock.end(Stage::kScreen);
 
   if (settings.show != Show::kPicture)

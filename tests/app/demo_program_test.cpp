@@ -120,7 +120,8 @@ TEST_F(DemoProgram, FramesPastTheEndAreAUsageError) {
 }
 
 TEST_F(DemoProgram, BenchDrawsEveryPacket) {
-  const ProgramRun ran = run({"bench", "--demo", "demo3", "--size", "160x100", "--threads", "1", "--json"});
+  const ProgramRun ran =
+      run({"bench", "--demo", "demo3", "--size", "160x100", "--threads", "1", "--json", "--runs", "2"});
   ASSERT_EQ(ran.exit_status, 0) << ran.err;
   const nlohmann::json result = nlohmann::json::parse(ran.out);
   EXPECT_EQ(result.at("demo"), "demo3");

@@ -37,7 +37,7 @@ TEST(Warp, TakesEveryPixelFromWhereTheSinesSay) {
   for (const auto& [width, height] : {std::pair{320, 200}, {333, 217}, {1280, 720}, {90, 160}})
     for (const double time_s : {0.0, 1.7, 1e6}) {
       FrameBuffer frame = numbered_frame(width, height);
-      render::Warp().apply(time_s, jobs, frame);
+      render::Warp().apply(time_s, {}, jobs, frame);
       const double scale = std::min(width, height) / 200.0;
       const auto sway = [&](int along) {
         return 3 * scale * std::sin(2 * std::numbers::pi * (along / (128 * scale) + time_s * 20 / 128));
@@ -63,8 +63,8 @@ TEST(Warp, LooksAlikeAtEverySize) {
   base::Jobs jobs(1);
   FrameBuffer small = numbered_frame(320, 200), large = numbered_frame(3200, 2000);
   render::Warp warp;
-  warp.apply(0.3, jobs, small);
-  warp.apply(0.3, jobs, large);
+  warp.apply(0.3, {}, jobs, small);
+  warp.apply(0.3, {}, jobs, large);
   for (int y = 0; y < 200; ++y)
     for (int x = 0; x < 320; ++x) {
       const std::uint32_t a = small.rgb()[static_cast<std::size_t>(y * 320 + x)];
@@ -80,7 +80,7 @@ TEST(Warp, StaysInsideTheSmallestPictures) {
   for (int width = 1; width < 9; ++width)
     for (int height = 1; height < 9; ++height) {
       FrameBuffer frame = numbered_frame(width, height);
-      warp.apply(0.4, jobs, frame);
+      warp.apply(0.4, {}, jobs, frame);
       for (const std::uint32_t pixel : frame.rgb()) ASSERT_LT(pixel, frame.pixel_count());
     }
 }
@@ -91,9 +91,33 @@ TEST(Warp, IsTheSameInBothFormatsAndForAnyThreads) {
   Random random(1);
   for (std::size_t i = 0; i < rgb.pixel_count(); ++i)
     rgb.rgb()[i] = indexed.indexed()[i] = static_cast<std::uint8_t>(random.bits());
-  render::Warp().apply(2.5, one, rgb);
-  render::Warp().apply(2.5, four, indexed);
+  render::Warp().apply(2.5, {}, one, rgb);
+  render::Warp().apply(2.5, {}, four, indexed);
   for (std::size_t i = 0; i < rgb.pixel_count(); ++i) ASSERT_EQ(rgb.rgb()[i], indexed.indexed()[i]);
+}
+
+TEST(Warp, TintsWhatItMoves) {
+  const DrawableLevel drawable = small_level({.tiny = true});
+  const render::ColourTables tables = render::make_colour_tables(drawable.palette, drawable.colormap);
+  base::Jobs jobs(2, base::JobBackend::kStdThread);
+  for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb})
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      Random random(seed);
+      const int width = 1 + static_cast<int>(random.below(300)),
+                height = 1 + static_cast<int>(random.below(200));
+      FrameBuffer together(width, height, format), apart(width, height, format);
+      for (std::size_t i = 0; i < together.rgb().size(); ++i)
+        together.rgb()[i] = apart.rgb()[i] = 0xff000000u | static_cast<std::uint32_t>(random.bits());
+      for (std::size_t i = 0; i < together.indexed().size(); ++i)
+        together.indexed()[i] = apart.indexed()[i] = static_cast<std::uint8_t>(random.bits());
+      const render::PictureTint tint({{255, 80, 0}, 0.3f}, tables, format, true);
+      render::Warp warp;
+      warp.apply(seed, tint, jobs, together);
+      warp.apply(seed, {}, jobs, apart);
+      render::tint_picture(tint, jobs, apart);
+      ASSERT_TRUE(std::ranges::equal(together.rgb(), apart.rgb())) << seed;
+      ASSERT_TRUE(std::ranges::equal(together.indexed(), apart.indexed())) << seed;
+    }
 }
 
 TEST(TintKernels, BlendEveryChannel) {
@@ -131,7 +155,7 @@ TEST(Tint, TurnsIndicesIntoTheNearestOfTheirBlends) {
   for (const float opacity : {0.1f, 0.5f, 0.9f, 1.0f}) {
     FrameBuffer frame(16, 16, PixelFormat::kIndexed);
     for (std::size_t i = 0; i < 256; ++i) frame.indexed()[i] = static_cast<std::uint8_t>(i);
-    render::tint_picture({{255, 80, 0}, opacity}, tables, true, jobs, frame);
+    render::tint_picture({{{255, 80, 0}, opacity}, tables, frame.format(), true}, jobs, frame);
     for (std::size_t i = 0; i < 256; ++i) {
       const auto distance = [&](std::size_t entry) {
         const auto blend = [&](int own, int tint) {
@@ -158,7 +182,7 @@ TEST(Tint, WithoutOpacityChangesNothing) {
     fill_frame(frame, 0x5a);
     const FrameCopy before = copy_of(frame);
     for (const float opacity : {0.0f, -1.0f}) {
-      render::tint_picture({{255, 80, 0}, opacity}, tables, true, jobs, frame);
+      render::tint_picture({{{255, 80, 0}, opacity}, tables, frame.format(), true}, jobs, frame);
       EXPECT_TRUE(copy_of(frame) == before);
     }
   }

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <numbers>
 
+#include "base/check.h"
+
 namespace temblor::render {
 
 namespace {
@@ -31,13 +33,16 @@ struct Axis {
 
 // Rows and columns that are moved together: what they come from lies close together too, and stays in the
 // nearest caches.
-constexpr std::size_t kRowsAJob = 64, kColumnsAStrip = 128;
+constexpr std::size_t kRowsAJob = 32, kColumnsAStrip = 128;
+// So many bytes are moved for each run, however few are wanted: a branch costs more, and what is too much is
+// written over by the runs behind it.
+constexpr std::size_t kBlockBytes = 64;
 
 }  // namespace
 
 // How far a pixel sways along its row depends on its row alone, and down its column on the column alone: a
 // number for each row and one for each column add up to where a pixel comes from.
-void Warp::apply(double time_s, base::Jobs& jobs, FrameBuffer& io_frame) {
+void Warp::apply(double time_s, const PictureTint& tint, base::Jobs& jobs, FrameBuffer& io_frame) {
   const int width = io_frame.width(), height = io_frame.height();
   const double pixels = std::min(width, height) / kPictureSize;
   const Axis across(width, kAmplitude * pixels), down(height, kAmplitude * pixels);
@@ -52,32 +57,53 @@ void Warp::apply(double time_s, base::Jobs& jobs, FrameBuffer& io_frame) {
   for (int y = 0; y < height; ++y)
     row_[static_cast<std::size_t>(y)] = down.place(y) * width + across.bounded(sway(y));
   if (io_frame.format() == PixelFormat::kIndexed)
-    move_pixels(io_frame.indexed(), indexed_copy_, jobs);
+    move_pixels<std::uint8_t>(io_frame.indexed(), indexed_spare_, tint, jobs, io_frame);
   else
-    move_pixels(io_frame.rgb(), rgb_copy_, jobs);
+    move_pixels<std::uint32_t>(io_frame.rgb(), rgb_spare_, tint, jobs, io_frame);
+}
+
+void Warp::find_runs(std::size_t longest) {
+  runs_.clear();
+  strips_.clear();
+  for (std::size_t x = 0; x < column_.size(); ++x) {
+    const bool begins_strip = x % kColumnsAStrip == 0;
+    if (begins_strip) strips_.push_back({runs_.size(), column_[x]});
+    strips_.back().furthest = std::max(strips_.back().furthest, column_[x]);
+    const bool goes_on =
+        !begins_strip && column_[x] == column_[x - 1] + 1 && x < runs_.back().first + longest;
+    if (!goes_on) runs_.push_back({x, column_[x]});
+  }
+  strips_.push_back({runs_.size(), 0});
 }
 
 template <typename Pixel>
-void Warp::move_pixels(std::span<Pixel> io_pixels, std::vector<Pixel>& io_copy, base::Jobs& jobs) const {
+void Warp::move_pixels(std::span<const Pixel> pixels, Spare<Pixel>& io_spare, const PictureTint& tint,
+                       base::Jobs& jobs, FrameBuffer& io_frame) {
+  constexpr std::size_t kBlock = kBlockBytes / sizeof(Pixel);
   const std::size_t width = column_.size(), height = row_.size();
-  io_copy.resize(io_pixels.size());
-  const std::size_t job_count = (height + kRowsAJob - 1) / kRowsAJob;
-  jobs.parallel_for(job_count, [&](std::size_t job) {
-    const std::size_t first = job * kRowsAJob * width, last = std::min((job + 1) * kRowsAJob, height) * width;
-    std::memcpy(&io_copy[first], &io_pixels[first], (last - first) * sizeof(Pixel));
+  find_runs(kBlock);
+  if (io_spare.count != pixels.size()) {
+    io_spare = {base::allocate_large<Pixel>(pixels.size()), pixels.size()};
+    CHECK(io_spare.pixels != nullptr, "no memory for {} pixels", pixels.size());
+  }
+  const auto move_row_of_strip = [&](std::size_t strip, std::size_t y) {
+    const std::size_t left = strip * kColumnsAStrip, right = std::min(left + kColumnsAStrip, width);
+    const Pixel* const from = pixels.data() + row_[y];
+    Pixel* const row = &io_spare.pixels[y * width];
+    const std::size_t furthest = static_cast<std::size_t>(row_[y] + strips_[strip].furthest);
+    if (right + kBlock <= width && furthest + kBlock <= pixels.size())
+      for (std::size_t i = strips_[strip].first_run; i < strips_[strip + 1].first_run; ++i)
+        std::memcpy(row + runs_[i].first, from + runs_[i].from, kBlockBytes);
+    else
+      for (std::size_t x = left; x < right; ++x) row[x] = from[column_[x]];
+    if (tint.changes_pixels()) tint.apply(std::span(row + left, right - left));
+  };
+  jobs.parallel_for((height + kRowsAJob - 1) / kRowsAJob, [&](std::size_t job) {
+    for (std::size_t strip = 0; strip + 1 < strips_.size(); ++strip)
+      for (std::size_t y = job * kRowsAJob; y < std::min((job + 1) * kRowsAJob, height); ++y)
+        move_row_of_strip(strip, y);
   });
-  jobs.parallel_for(job_count, [&](std::size_t job) {
-    const std::size_t end = std::min((job + 1) * kRowsAJob, height);
-    for (std::size_t left = 0; left < width; left += kColumnsAStrip)
-      for (std::size_t y = job * kRowsAJob; y < end; ++y) {
-        Pixel* const out = &io_pixels[y * width];
-        const Pixel* const from = io_copy.data();
-        const std::int32_t row = row_[y];
-        const std::int32_t* const column = column_.data();
-        const std::size_t right = std::min(left + kColumnsAStrip, width);
-        for (std::size_t x = left; x < right; ++x) out[x] = from[row + column[x]];
-      }
-  });
+  io_frame.exchange(io_spare.pixels);
 }
 
 }  // namespace temblor::render

@@ -6,25 +6,47 @@
 #include <span>
 #include <vector>
 
+#include "base/large_memory.h"
 #include "base/parallel_for.h"
 #include "render/frame.h"
+#include "render/screen/tint_picture.h"
 
 namespace temblor::render {
 
 class Warp {
  public:
   // Pixels only: depth stays as it was. The picture is shown slightly enlarged, so that nothing is taken
-  // from beyond its borders.
-  void apply(double time_s, base::Jobs& jobs, FrameBuffer& io_frame);
+  // from beyond its borders. What has been moved is tinted while it is in the caches.
+  void apply(double time_s, const PictureTint& tint, base::Jobs& jobs, FrameBuffer& io_frame);
 
  private:
+  // Pixel (x, y) shows pixel number column_[x] + row_[y] of the picture as it was; pixels of a run show
+  // neighbours of one another.
+  struct Run {
+    std::size_t first;
+    std::int32_t from;  // column_[first]
+  };
+  struct Strip {
+    std::size_t first_run;
+    std::int32_t furthest;  // the largest of its columns' numbers
+  };
   template <typename Pixel>
-  void move_pixels(std::span<Pixel> io_pixels, std::vector<Pixel>& io_copy, base::Jobs& jobs) const;
+  struct Spare {
+    base::LargeMemory<Pixel> pixels;
+    std::size_t count = 0;
+  };
 
-  // Pixel (x, y) shows pixel number column_[x] + row_[y] of the picture as it was.
+  // Of at most `longest` pixels, and none reaches from one strip into the next.
+  void find_runs(std::size_t longest);
+  template <typename Pixel>
+  void move_pixels(std::span<const Pixel> pixels, Spare<Pixel>& io_spare, const PictureTint& tint,
+                   base::Jobs& jobs, FrameBuffer& io_frame);
+
   std::vector<std::int32_t> column_, row_;
-  std::vector<std::uint8_t> indexed_copy_;
-  std::vector<std::uint32_t> rgb_copy_;
+  std::vector<Run> runs_;
+  std::vector<Strip> strips_;  // and one behind the last
+  Spare<std::uint8_t> indexed_spare_;
+  Spare<std::uint32_t> rgb_spare_;
 };
 
 }  // namespace temblor::render
