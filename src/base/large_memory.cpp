@@ -4,7 +4,7 @@
 
 namespace temblor::base {
 
-LargeMemory<std::byte> allocate_large_bytes(std::size_t bytes) {
+LargeMemory<std::byte> allocate_large_bytes(std::size_t bytes, FirstTouch first_touch) {
   const bool large = bytes >= kLargePageBytes;
   const std::size_t unit = large ? kLargePageBytes : kCacheLineBytes;
   const std::align_val_t alignment{unit};
@@ -12,7 +12,8 @@ LargeMemory<std::byte> allocate_large_bytes(std::size_t bytes) {
   bytes = (bytes + unit - 1) / unit * unit;
   auto* memory = static_cast<std::byte*>(::operator new(bytes, alignment, std::nothrow));
   // A wish only: without large pages everything is as right, and slower.
-  if (large && memory != nullptr) madvise(memory, bytes, MADV_HUGEPAGE);
+  if (large && memory != nullptr)
+    madvise(memory, bytes, first_touch == FirstTouch::kInLargePages ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
   return {memory, FreeLargeMemory{alignment}};
 }
 

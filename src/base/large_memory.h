@@ -18,12 +18,17 @@ struct FreeLargeMemory {
 template <typename T>
 using LargeMemory = std::unique_ptr<T[], FreeLargeMemory>;
 
+// Large pages are few faults, but each may take milliseconds: 2 MiB to be cleared, and perhaps to be gathered
+// first. What is touched first within a frame that must not be late asks for none.
+enum class FirstTouch { kInLargePages, kInSmallPages };
+
 // At least `bytes`, not initialized, aligned to a cache line; null when there is no memory.
-LargeMemory<std::byte> allocate_large_bytes(std::size_t bytes);
+LargeMemory<std::byte> allocate_large_bytes(std::size_t bytes,
+                                            FirstTouch first_touch = FirstTouch::kInLargePages);
 
 template <typename T>
-LargeMemory<T> allocate_large(std::size_t count) {
-  LargeMemory<std::byte> bytes = allocate_large_bytes(count * sizeof(T));
+LargeMemory<T> allocate_large(std::size_t count, FirstTouch first_touch = FirstTouch::kInLargePages) {
+  LargeMemory<std::byte> bytes = allocate_large_bytes(count * sizeof(T), first_touch);
   const FreeLargeMemory free = bytes.get_deleter();
   return {reinterpret_cast<T*>(bytes.release()), free};
 }

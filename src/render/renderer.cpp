@@ -69,6 +69,12 @@ void count_seen(const EdgeTable& edges, const SpanTable& spans, const DrawItems&
   }
 }
 
+bool has_liquid(const world::Level& level) {
+  return std::ranges::any_of(level.leafs, [](const world::Leaf& leaf) {
+    return leaf.contents <= world::Contents::kWater && leaf.contents != world::Contents::kSky;
+  });
+}
+
 }  // namespace
 
 struct Renderer::State {
@@ -103,8 +109,9 @@ struct Renderer::State {
     jobs.emplace(threads, settings.job_backend);
     job_backend = settings.job_backend;
   }
-  void follow_level(const world::Level& now) {
+  void follow_level(const world::Level& now, const FrameBuffer& frame) {
     if (level == now.identity) return;
+    if (has_liquid(now)) warp.prepare(frame);
     level = now.identity;
     level_tables = make_level_tables(now);
     face_outlines = make_face_outlines(now);
@@ -125,7 +132,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   State& s = *state_;
   FrameStats stats;
   s.follow_settings(settings);
-  s.follow_level(*scene.level);
+  s.follow_level(*scene.level, io_frame);
   if (has_marks(scene) && !s.mark_look) s.mark_look.emplace(s.colour_tables);
   s.arena.reset();
   const int width = io_frame.width(), height = io_frame.height();

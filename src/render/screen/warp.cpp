@@ -62,6 +62,21 @@ void Warp::apply(double time_s, const PictureTint& tint, base::Jobs& jobs, Frame
     move_pixels<std::uint32_t>(io_frame.rgb(), rgb_spare_, tint, jobs, io_frame);
 }
 
+void Warp::prepare(const FrameBuffer& frame) {
+  if (frame.format() == PixelFormat::kIndexed)
+    reserve(frame.pixel_count(), indexed_spare_);
+  else
+    reserve(frame.pixel_count(), rgb_spare_);
+}
+
+template <typename Pixel>
+void Warp::reserve(std::size_t count, Spare<Pixel>& io_spare) {
+  if (io_spare.count == count) return;
+  io_spare = {base::allocate_large<Pixel>(count), count};
+  CHECK(io_spare.pixels != nullptr, "no memory for {} pixels", count);
+  std::fill_n(io_spare.pixels.get(), count, Pixel{});
+}
+
 void Warp::find_runs(std::size_t longest) {
   runs_.clear();
   strips_.clear();
@@ -82,10 +97,7 @@ void Warp::move_pixels(std::span<const Pixel> pixels, Spare<Pixel>& io_spare, co
   constexpr std::size_t kBlock = kBlockBytes / sizeof(Pixel);
   const std::size_t width = column_.size(), height = row_.size();
   find_runs(kBlock);
-  if (io_spare.count != pixels.size()) {
-    io_spare = {base::allocate_large<Pixel>(pixels.size()), pixels.size()};
-    CHECK(io_spare.pixels != nullptr, "no memory for {} pixels", pixels.size());
-  }
+  reserve(pixels.size(), io_spare);
   const auto move_row_of_strip = [&](std::size_t strip, std::size_t y) {
     const std::size_t left = strip * kColumnsAStrip, right = std::min(left + kColumnsAStrip, width);
     const Pixel* const from = pixels.data() + row_[y];

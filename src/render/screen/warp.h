@@ -19,6 +19,9 @@ class Warp {
   // from beyond its borders. What has been moved is tinted while it is in the caches.
   void apply(double time_s, const PictureTint& tint, base::Jobs& jobs, FrameBuffer& io_frame);
 
+  // Has the memory ready that apply() needs for such frames: the first one would wait for it.
+  void prepare(const FrameBuffer& frame);
+
  private:
   // Pixel (x, y) shows pixel number column_[x] + row_[y] of the picture as it was; pixels of a run show
   // neighbours of one another.
@@ -36,6 +39,8 @@ class Warp {
     std::size_t count = 0;
   };
 
+  template <typename Pixel>
+  static void reserve(std::size_t count, Spare<Pixel>& io_spare);
   // Of at most `longest` pixels, and none reaches from one strip into the next.
   void find_runs(std::size_t longest);
   template <typename Pixel>

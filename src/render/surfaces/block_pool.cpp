@@ -25,16 +25,16 @@ BlockPool::Room BlockPool::allocate(std::size_t bytes) {
   if (bytes_in_use_ + bytes > capacity_bytes_) return {};
   for (std::size_t slab = 0; slab < slabs_.size(); ++slab)
     if (slabs_[slab].largest_hole >= bytes) return take(slab, bytes);
-  return add_slab(bytes) != nullptr ? allocate(bytes) : Room{};
+  return add_slab(bytes, base::FirstTouch::kInSmallPages) != nullptr ? allocate(bytes) : Room{};
 }
 
 // Whole large pages where the capacity leaves one, as a part of one would cost as much.
-BlockPool::Slab* BlockPool::add_slab(std::size_t least_bytes) {
+BlockPool::Slab* BlockPool::add_slab(std::size_t least_bytes, base::FirstTouch first_touch) {
   if (bytes_reserved_ >= capacity_bytes_) return nullptr;
   std::size_t bytes = std::min(kSlabBytes, capacity_bytes_ - bytes_reserved_);
   bytes -= bytes % (bytes >= base::kLargePageBytes ? base::kLargePageBytes : kUnitBytes);
   if (bytes < least_bytes) return nullptr;
-  Slab slab{base::allocate_large<std::byte>(bytes), bytes, bytes, {{0, bytes}}};
+  Slab slab{base::allocate_large<std::byte>(bytes, first_touch), bytes, bytes, {{0, bytes}}};
   if (slab.memory == nullptr) return nullptr;
   constexpr std::size_t kUsualHoles = 256;
   slab.holes.reserve(kUsualHoles);
@@ -49,7 +49,7 @@ BlockPool::Slab* BlockPool::add_slab(std::size_t least_bytes) {
 void BlockPool::prepare(std::size_t bytes) {
   constexpr std::size_t kSmallestPageBytes = 4096;
   while (bytes_reserved_ < bytes) {
-    const Slab* slab = add_slab(kUnitBytes);
+    const Slab* slab = add_slab(kUnitBytes, base::FirstTouch::kInLargePages);
     if (slab == nullptr) return;
     ASAN_UNPOISON_MEMORY_REGION(slab->memory.get(), slab->bytes);
     for (std::size_t at = 0; at < slab->bytes; at += kSmallestPageBytes) slab->memory[at] = std::byte{0};

@@ -26,7 +26,8 @@ class BlockPool {
   void set_capacity(std::size_t bytes);
 
   // Takes slabs until there are `bytes` of them, or as many as the capacity allows, and has the system back
-  // them with memory now: a first touch costs far more than what is written then.
+  // them with memory now, in large pages: a first touch costs far more than what is written then. Slabs that
+  // are added later are touched page by small page.
   void prepare(std::size_t bytes);
 
   struct Room {
@@ -57,7 +58,7 @@ class BlockPool {
 
   Room take(std::size_t slab, std::size_t bytes);
   // Null when the capacity does not leave `least_bytes`.
-  Slab* add_slab(std::size_t least_bytes);
+  Slab* add_slab(std::size_t least_bytes, base::FirstTouch first_touch);
 
   std::vector<Slab> slabs_;
   std::size_t capacity_bytes_ = 0;
