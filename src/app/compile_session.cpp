@@ -146,6 +146,7 @@ base::Result<std::unique_ptr<CompileSession>> CompileSession::begin(const Compil
   const LevelPaths paths = level_paths(output_of(options));
   TRY_STATUS(check_output(options.source, paths));
   std::unique_ptr<CompileSession> session(new CompileSession(options, look.palette, paths));
+  session->game_wads_ = wads_of_games(folders);
   // A level that becomes another one begins with what is in it.
   const bool is_its_own_source = !is_level(options.source) || are_one_file(options.source, paths.bsp);
   if (!options.clean && is_its_own_source) session->build_ = read_build_file(session->paths_);
@@ -193,8 +194,8 @@ base::Result<compiler::CompileReport> CompileSession::run_map(const compiler::Co
                                                               compiler::CompileWatcher& watcher,
                                                               compiler::Warnings& io_warnings) {
   TRY(const formats::Map map, read_map_file(options_.source, source_files_, io_warnings));
-  TRY(const TextureFiles textures, find_textures({options_.textures, options_.wads}, options_.source, map,
-                                                 palette_, source_files_, io_warnings));
+  TRY(const TextureFiles textures, find_textures({options_.textures, options_.wads, game_wads_},
+                                                 options_.source, map, palette_, source_files_, io_warnings));
   return compiler::compile_level(map, textures.sources, palette_, how, jobs_, watcher, build_, io_warnings);
 }
 

@@ -53,6 +53,7 @@ class CompileSession {
   CompileCommandOptions options_;
   formats::Palette palette_;
   LevelPaths paths_;
+  std::vector<std::filesystem::path> game_wads_;
   Interrupt interrupt_;  // before the threads of jobs_
   base::Jobs jobs_;
   compiler::Build build_;

@@ -1,8 +1,9 @@
 // The program: reads the command line and runs one command.
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 
 #include "app/art_command.h"
 #include "app/bench_command.h"
@@ -86,6 +87,40 @@ base::Status run(const Commands& commands) {
   return base::Ok{};
 }
 
+// "--map" of "--map=start".
+std::string option_name(const std::string& word) {
+  return word.substr(0, word.find('='));
+}
+
+std::vector<std::string> commands_with(const CLI::App& program, const std::string& option) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    if (command->get_option_no_throw(option) != nullptr) names.push_back(command->get_name());
+  return names;
+}
+
+// An option that stands where nobody takes it: whose it is, and where it belongs. Empty: there is none.
+std::string describe_misplaced_option(const CLI::App& program) {
+  const std::vector<std::string> unknown = program.remaining(true);
+  const auto found = std::find_if(unknown.begin(), unknown.end(),
+                                  [](const std::string& word) { return word.starts_with("--"); });
+  if (found == unknown.end()) return {};
+  const std::string option = option_name(*found);
+  const std::vector<std::string> owners = commands_with(program, option);
+  const auto used_commands = program.get_subcommands();
+  const std::string used = used_commands.empty() ? "" : used_commands.front()->get_name();
+  if (owners.empty())
+    return used.empty() ? fmt::format("there is no command or option \"{}\"", option)
+                        : fmt::format("{} has no option {}", used, option);
+  if (std::find(owners.begin(), owners.end(), used) != owners.end())
+    return fmt::format("{0} is an option of {1} and belongs behind it: `temblor {1} {0} ...`", option, used);
+  if (!used.empty())
+    return fmt::format("{} has no option {}: it is one of {}", used, option, fmt::join(owners, ", "));
+  const bool is_played = std::find(owners.begin(), owners.end(), "play") != owners.end();
+  return fmt::format("{} is an option of {} and belongs behind that: `temblor {} {} ...`", option,
+                     fmt::join(owners, ", "), is_played ? "play" : owners.front(), option);
+}
+
 // What is wrong with the command line, in our words where CLI11's would mislead.
 std::string describe_parse_error(const CLI::App& program, const CommonOptions& options,
                                  const CLI::ParseError& error) {
@@ -94,6 +129,7 @@ std::string describe_parse_error(const CLI::App& program, const CommonOptions& o
   const auto is_folder = [&](const CLI::App* command) { return command->get_name() == folder; };
   if (program.get_subcommands().empty() && !program.get_subcommands(is_folder).empty())
     return fmt::format("--basedir is followed by the command \"{}\" where the folder should be", folder);
+  if (std::string misplaced = describe_misplaced_option(program); !misplaced.empty()) return misplaced;
   const std::vector<std::string> unknown = program.remaining();
   if (program.get_subcommands().empty() && !unknown.empty())
     return fmt::format("there is no command or option \"{}\"", unknown.front());

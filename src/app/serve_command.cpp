@@ -176,8 +176,8 @@ base::Status run_serve(const ServeOptions& options, const CommonOptions& common,
   for (const std::string& line : options.execute) server.console().append(line);
   server.console().run();
   TRY_STATUS(server.start_map(options.map));
-  print_text(fmt::format("{}: UDP port {}, {} players at most, level {}, protocol {}\n", settings.host_name(),
-                         port, options.max_clients, options.map,
+  print_text(fmt::format("{}: UDP port {}, {} at most, level {}, protocol {}\n", settings.host_name(), port,
+                         base::counted(options.max_clients, "player"), options.map,
                          static_cast<int>(server.game()->setup().dialect.protocol)));
   serve(server, options);
   return base::Ok{};

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/game_files.h"
 #include "artgen/palette.h"
 #include "artgen/small_level.h"
 #include "base/text.h"
@@ -68,6 +69,17 @@ base::Result<base::ByteVector> wad_of_pictures(const fs::path& folder, const for
   return wad_of(pictures, palette);
 }
 
+std::vector<fs::path> wads_of_games(const GameFolders& folders) {
+  constexpr const char* kFile = "textures.wad";
+  const base::Result<fs::path> base_folder = find_base_folder(folders);
+  std::vector<fs::path> wads;
+  if (!base_folder.ok()) return wads;
+  for (auto game = folders.games.rbegin(); game != folders.games.rend(); ++game)
+    wads.push_back(*base_folder / *game / kFile);
+  wads.push_back(*base_folder / "id1" / kFile);
+  return wads;
+}
+
 base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::path& map_path,
                                          const formats::Map& map, const formats::Palette& palette,
                                          std::vector<FileStamp>& io_stamps, compiler::Warnings& io_warnings) {
@@ -107,6 +119,7 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
                                                  formats::BspVersion::k29));
     files.add("Temblor's own", std::move(own));
   }
+  for (const fs::path& wad : places.game_wads) add_first_of({wad}, io_stamps, files);
   return files;
 }
 

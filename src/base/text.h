@@ -31,6 +31,11 @@ inline std::string printable(std::string_view text) {
   return line;
 }
 
+// "1 frag", "2 frags". `noun`: in the singular.
+inline std::string counted(std::size_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
 // As much of it as a message of one line can bear.
 inline std::string quotable(std::string_view text, std::size_t max_chars = 40) {
   return printable(text.substr(0, max_chars)) + (text.size() > max_chars ? "..." : "");

@@ -1,6 +1,8 @@
 #include "client/hud.h"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "client/hud/center_text.h"
 #include "client/hud/ending.h"
@@ -12,7 +14,7 @@ namespace temblor::client {
 
 namespace {
 
-constexpr double kPainSeconds = 0.2, kCenterTextSeconds = 2;
+constexpr double kPainSeconds = 0.2, kCenterTextSeconds = 2, kHintAfterSeconds = 1;
 
 void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
                const HudSettings& settings) {
@@ -30,6 +32,18 @@ void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, doub
     draw_status_bar(bar, game, times, time_s, {settings.opacity, settings.safe_colours});
 }
 
+// Above the status bar, whose height it leaves free whether that is shown or not.
+void draw_death_hint(const Panel& panel, std::string_view hint) {
+  constexpr int kLine = kCharacterSide + 2, kGap = 6;
+  const int lines = 1 + static_cast<int>(std::count(hint.begin(), hint.end(), '\n'));
+  const Panel place = panel.at_bottom(kBarHeight + kInventoryHeight + kGap + lines * kLine);
+  for (int y = 0; !hint.empty(); y += kLine) {
+    const std::string_view line = hint.substr(0, hint.find('\n'));
+    place.text(line, (kScreenWidth - static_cast<int>(line.size()) * kCharacterSide) / 2, y);
+    hint.remove_prefix(std::min(line.size() + 1, hint.size()));
+  }
+}
+
 void draw_play(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
                const HudSettings& settings) {
   if (game.stat(Stat::kHealth) > 0) draw_crosshair(panel, settings.crosshair);
@@ -39,6 +53,8 @@ void draw_play(const Panel& panel, const Game& game, const HudTimes& times, doub
     draw_ranking(panel.in_middle(kScreenHeight), game);
   else if (time_s - game.center_text_since_s < kCenterTextSeconds)
     draw_center_text(panel, game.center_text);
+  if (game.stat(Stat::kHealth) <= 0 && time_s - times.died_s >= kHintAfterSeconds)
+    draw_death_hint(panel, settings.death_hint);
 }
 
 void draw_pause(const Panel& panel) {
@@ -52,6 +68,8 @@ void Hud::begin_level() {
   constexpr double kNever = std::numeric_limits<double>::lowest();
   times_.pain_until_s = kNever;
   times_.item_gained_s.fill(kNever);
+  times_.died_s = kNever;
+  is_dead_ = false;
   items_ = 0;
   last_time_s_ = kNever;
 }
@@ -63,6 +81,9 @@ void Hud::advance(const Game& game, const Events& events, double time_s) {
   items_ = game.data.items;
   for (std::size_t bit = 0; bit < times_.item_gained_s.size(); ++bit)
     if ((gained >> bit & 1) != 0) times_.item_gained_s[bit] = time_s;
+  const bool is_dead = game.stat(Stat::kHealth) <= 0;
+  if (is_dead && !std::exchange(is_dead_, is_dead)) times_.died_s = time_s;
+  is_dead_ = is_dead;
   for (const net::Damage& damage : events.damages)
     if (damage.armor > 0 || damage.blood > 0) times_.pain_until_s = time_s + kPainSeconds;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "assets/pictures.h"
 #include "client/client_state.h"
@@ -18,13 +19,15 @@ struct HudSettings {
   int scale = 0;      // frame pixels for each of the original's; 0: as large as the frame's size asks for
   float opacity = 1;  // of what the status bar stands on, 0 to 1
   CrosshairLook crosshair{};
-  bool shows_scores = false;  // asked for: what the level still holds, and in a game of several who leads
-  bool safe_colours = false;  // what the original tells by colour alone is told by a mark as well
+  bool shows_scores = false;      // asked for: what the level still holds, and in a game of several who leads
+  std::string_view death_hint{};  // lines that tell the dead what they can do; must live while it is drawn
+  bool safe_colours = false;      // what the original tells by colour alone is told by a mark as well
 };
 
 // What it shows of the past. Far in the past: never.
 struct HudTimes {
-  double pain_until_s = 0;                 // the face is in pain
+  double pain_until_s = 0;  // the face is in pain
+  double died_s = 0;
   std::array<double, 32> item_gained_s{};  // by bit of net::ClientData::items
 };
 
@@ -33,7 +36,8 @@ class Hud {
   explicit Hud(const assets::Pictures& pictures) : pictures_(pictures) { begin_level(); }
 
   void begin_level();
-  // What flashes: new weapons, and the face of who was hurt. Time that runs backwards begins the level anew.
+  // What flashes: new weapons, and the face of who was hurt; when he died. Time that runs backwards begins
+  // the level anew.
   void advance(const Game& game, const Events& events, double time_s);
   // Appends to `io_list`, for a frame of that size. Valid while the pictures live.
   void draw(const Game& game, double time_s, int width, int height, const HudSettings& settings,
@@ -44,6 +48,7 @@ class Hud {
   HudTimes times_;
   std::uint32_t items_ = 0;
   double last_time_s_ = 0;
+  bool is_dead_ = false;
 };
 
 }  // namespace temblor::client

@@ -327,6 +327,11 @@ void Menu::open(MenuPage page) {
   state_->carry_out(std::move(outcome));
 }
 
+void Menu::tell(Notice notice) {
+  if (!is_open()) open();
+  state_->carry_out({.sound = MenuSound::kEnter, .page = make_notice(std::move(notice))});
+}
+
 void Menu::close() {
   state_->pages.clear();
 }

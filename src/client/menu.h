@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "assets/pictures.h"
@@ -48,6 +49,13 @@ struct MenuCommand {
 };
 std::vector<MenuCommand> menu_commands();
 
+// Something that the player has to know: text, in lines that are broken where they are too long, and pages
+// that help, by what he would call them.
+struct Notice {
+  std::string title, text;
+  std::vector<std::pair<std::string, MenuPage>> pages = {};
+};
+
 class Menu {
  public:
   // All of them must outlive the menu. Rows of variables that are not registered when their page opens are
@@ -60,6 +68,8 @@ class Menu {
   // Opens a page, over those that are open. With kQuit nothing opens where nothing would be lost: `quit` is
   // run. Alike kNewGame, where there is nothing to choose.
   void open(MenuPage page = MenuPage::kMain);
+  // Opens the main page and this above it; above what is open, where the menu is.
+  void tell(Notice notice);
   void close();
   bool is_open() const;
   // A row waits for a key or a text: nothing else may have what is pressed.

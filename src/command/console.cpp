@@ -118,6 +118,7 @@ bool Console::may_expand(std::string_view name, std::string_view text) {
 
 void Console::print_error(std::string_view line) const {
   if (!is_in_file()) return print(line);
+  ++errors_in_files_;
   print(fmt::format("{}:{}: {}", base::quotable(place_.file), place_.line, line));
 }
 

@@ -63,6 +63,8 @@ class Console {
   // Prints what is wrong with the command that runs, with the place it has in a file. Commands from outside
   // tell their errors by it.
   void print_error(std::string_view line) const;
+  // How many of them were with commands of files, so far.
+  std::size_t errors_in_files() const { return errors_in_files_; }
   // Whether the command that runs is written in a file, and not typed.
   bool is_in_file() const { return !place_.file.empty(); }
 
@@ -146,6 +148,7 @@ class Console {
   std::vector<Part> parts_;  // the first part last; what is behind them was appended
   Place place_;              // of the command that runs
   bool waiting_ = false;
+  mutable std::size_t errors_in_files_ = 0;
   int expansions_ = 0;  // since run() began
   std::size_t expanded_chars_ = 0;
 };

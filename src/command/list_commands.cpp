@@ -25,7 +25,7 @@ bool holds(std::string_view text, std::string_view lower_word) {
 
 // "3 commands that begin with "ma"".
 std::string count_line(std::size_t count, std::string_view noun, std::string_view prefix) {
-  const std::string counted = fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+  const std::string counted = base::counted(count, noun);
   if (prefix.empty()) return counted;
   return fmt::format("{} that begin{} with \"{}\"", counted, count == 1 ? "s" : "", base::quotable(prefix));
 }

@@ -56,18 +56,32 @@ std::optional<std::string> configuration_to_run(const GameData& data) {
   return std::nullopt;
 }
 
-base::Status keep_damaged(const GameData& data, std::string_view name) {
-  const base::Result<std::string> text = read_commands(data, name);
-  if (text.ok() || text.error().code == base::ErrorCode::kNotFound) return base::Ok{};
-  const std::filesystem::path file = data.write_folder / name;
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) return base::Ok{};  // it is another folder's
+base::Result<ReadConfiguration> read_configuration(const GameData& data) {
+  const std::optional<std::filesystem::path> written = written_file(data, kConfigurationFile);
+  TRY(const base::ByteVector bytes, written ? vfs::read_disk_file(*written, kMaxCommandFileBytes)
+                                            : data.library.files().read(kConfigurationFile));
+  ReadConfiguration read;
+  for (std::string_view rest = base::as_text(bytes); !rest.empty();) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    if (is_text(line))
+      read.text += line;
+    else
+      ++read.unreadable_lines;
+    read.text += '\n';
+  }
+  return read;
+}
+
+base::Result<std::optional<std::filesystem::path>> keep_configuration_aside(const GameData& data) {
+  const std::filesystem::path file = data.write_folder / kConfigurationFile;
+  std::error_code failure;
+  if (!std::filesystem::exists(file, failure)) return std::optional<std::filesystem::path>();
   std::filesystem::path aside = file;
   aside += ".damaged";
-  std::error_code failure;
-  std::filesystem::rename(file, aside, failure);
-  if (failure) return base::error(base::ErrorCode::kIo, "{}: {}", file.string(), failure.message());
-  return base::Ok{};
+  std::filesystem::copy_file(file, aside, std::filesystem::copy_options::overwrite_existing, failure);
+  if (failure) return base::error(base::ErrorCode::kIo, "{}: {}", aside.string(), failure.message());
+  return std::optional(std::move(aside));
 }
 
 std::string read_history(const GameData& data) {

@@ -28,8 +28,15 @@ base::Result<std::string> read_commands(const GameData& data, std::string_view n
 bool has_commands(const GameData& data, std::string_view name);
 // kConfigurationFile or config.cfg; nothing where there is neither.
 std::optional<std::string> configuration_to_run(const GameData& data);
-// What could not be read is not written over: it gets another name. Nothing where it can be read.
-base::Status keep_damaged(const GameData& data, std::string_view name);
+// kConfigurationFile as far as it is text: a line that is none is empty.
+struct ReadConfiguration {
+  std::string text;
+  std::size_t unreadable_lines = 0;
+};
+base::Result<ReadConfiguration> read_configuration(const GameData& data);
+// A copy of kConfigurationFile, which is written over when the program ends; its place. Nothing where it is
+// in no folder that is written to.
+base::Result<std::optional<std::filesystem::path>> keep_configuration_aside(const GameData& data);
 std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables,
                                const Overrides& overrides);
 

@@ -17,6 +17,11 @@ constexpr double kHiddenRate_hz = 10;  // nobody looks
 // A server tells of a turn several times, lest one is lost.
 constexpr double kSameTurn_s = 0.1;
 
+// "maps/start.bsp"; empty where the server has named none.
+std::string level_of(const client::Game& game) {
+  return game.models.size() > 1 ? game.models[1] : std::string();
+}
+
 // While recordings are shown to nobody a key is somebody who has come, unless he wants something of this.
 bool runs_while_attracting(std::string_view commands) {
   return commands == "toggleconsole" || commands == "screenshot" || commands == "help_menu" ||
@@ -88,8 +93,11 @@ bool Host::frame() {
   look_and_move();
   if (const base::Status status = demo_ ? show_demo() : make_scene(); !status.ok()) {
     print(status.error().message());
+    // What is shown to nobody may fail quietly.
+    if (!is_attracting()) notices_.push_back(describe_failure(status.error()));
     disconnect();
   }
+  show_notices();
   make_sound();
   draw();
   if (wants_to_quit_) leave();
@@ -101,6 +109,34 @@ void Host::welcome() {
   if (demo_ || session_->connection() != nullptr || wants_to_quit_) return;
   attract(demos_to_attract(*data_));
   menu_->open();
+}
+
+// A game that cannot be drawn ends; the player reads why, and what he can do about it.
+client::Notice Host::describe_failure(const base::Error& error) const {
+  if (demo_) return {"The recording has ended", error.message()};
+  const client::Connection* const connection = session_->connection();
+  const std::string level = connection == nullptr ? "" : level_of(connection->state().game());
+  const vfs::FileSystem& files = data_->library.files();
+  if (level.empty() || files.contains(level)) return {"The game has ended", error.message()};
+  std::string text =
+      fmt::format("The server plays the level {}, which is missing here.\n\nLooked for in:\n", level);
+  for (const std::filesystem::path& folder : files.folders()) text += folder.string() + "\n";
+  text +=
+      "\nPut that file there, as the server has it, and join again; or play the game folder that it belongs "
+      "to.";
+  return {.title = "The level is missing",
+          .text = std::move(text),
+          .pages = {{"Game folders", client::MenuPage::kGameFolders},
+                    {"Other servers", client::MenuPage::kJoin}}};
+}
+
+// Over the main menu, so that the player knows where he is.
+void Host::show_notices() {
+  for (client::Notice& notice : std::exchange(notices_, {})) {
+    console_ui_.close();
+    console_.append(held_.release_all());
+    menu_->tell(std::move(notice));
+  }
 }
 
 void Host::leave() {
@@ -222,19 +258,33 @@ void Host::tell_player() {
 }
 
 void Host::read_server() {
+  const bool was_playing = session_->is_playing(), was_own = session_->server() != nullptr;
   if (const std::optional<std::string> lost = session_->read(now_s_)) {
     print(*lost);
     if (const base::Status kept = stop_recording_if_any(); !kept.ok()) print(kept.error().message());
+    client::Notice notice{was_playing || was_own ? "The game has ended" : "No game was joined", *lost};
+    if (!was_own) notice.pages = {{"Other servers", client::MenuPage::kJoin}};
+    notices_.push_back(std::move(notice));
   }
   if (client::Connection* const connection = session_->connection()) {
     // Taken here: until the game has begun nobody else clears them.
     client::Events& events = connection->state().events();
     for (const std::string& text : std::exchange(events.prints, {})) print_part(text);
     if (session_->is_playing()) rumble(events);
+    note_autosave();
     for (const std::string& line : connection->take_commands())
       if (session_->server() != nullptr || may_be_stuffed(line)) console_.append(line);
   }
   print_part(session_->take_server_output());
+}
+
+// What the server has saved by itself gets its picture as well.
+void Host::note_autosave() {
+  if (session_->server() == nullptr) return;
+  std::string name = session_->server()->take_autosaved();
+  if (name.empty()) return;
+  picture_wanted_ = std::move(name);
+  saved_s_ = now_s_;
 }
 
 // The harder the blow, the harder and longer.

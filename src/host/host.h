@@ -100,6 +100,8 @@ class Host {
   const GameData& data() const { return *data_; }
   const HostVariables& variables() const { return variables_; }
   client::Bindings& bindings() { return bindings_; }
+  // Where the last frame was seen from; nothing where there is no game to be seen.
+  std::optional<render::Camera> view() const;
 
   // --- For the menus (menu_lists.h).
   const GameFolders& folders() const { return options_.folders; }
@@ -118,6 +120,7 @@ class Host {
   base::Status open();
   void take_up_data();
   base::Status configure();
+  void check_configuration(std::size_t wrong_lines);
   base::Status change_games(std::vector<std::string> games);
   void welcome();
   void leave();
@@ -136,9 +139,13 @@ class Host {
   void follow_variables();
   void tell_player();
   void read_server();
+  void note_autosave();
+  client::Notice describe_failure(const base::Error& error) const;
+  void show_notices();
   void look_and_move();
   void send_moves(const client::InputSettings& settings);
   void read_presentation_settings();
+  std::string_view death_hint();
   base::Status make_scene();
   base::Status open_demo(std::string_view name);
   base::Status show_demo();
@@ -181,8 +188,9 @@ class Host {
   std::optional<TimedDemo> timed_;
   std::vector<std::string> attracting_;  // the next one first; empty: no such thing is going on
   std::optional<std::vector<std::string>> wanted_games_;
-  std::string recording_name_;  // empty: none is being made
-  std::string picture_wanted_;  // of the saved game of this name; empty: none
+  std::string recording_name_;           // empty: none is being made
+  std::vector<client::Notice> notices_;  // still to be shown
+  std::string picture_wanted_;           // of the saved game of this name; empty: none
   ServerSearch search_;
   Screen screen_;
   Worker worker_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -35,7 +36,8 @@ constexpr std::array kPlayerCommands = {
     NamedHelp{"noclip", "Walks through everything; again: not."},
     NamedHelp{"fly", "Flies; again: walks."},
     NamedHelp{"give",
-              "give h 100: health, armour (a), shells (s), nails (n), rockets (r), cells (c), weapons (2-8).",
+              "give all; give weapons, ammo, keys; give 2 to 8; give h 100: health, armour (a), shells (s), "
+              "nails (n), rockets (r), cells (c).",
               1},
     NamedHelp{"rcon", "rcon PASSWORD COMMAND runs a command on the server.", 2},
 };
@@ -105,6 +107,20 @@ void list_levels(Host& io_host) {
     const std::string name = file.substr(5, file.size() - 9);
     if (!name.starts_with("b_")) io_host.print(name);
   }
+}
+
+// As `render --pos --angles` takes them, so that a place can be shown to others.
+void tell_view(Host& io_host) {
+  const std::optional<render::Camera> view = io_host.view();
+  if (!view) return io_host.console().print_error("viewpos: there is no view; `map NAME` begins a game");
+  const auto written = [](const math::Vec3& v, std::string_view between) {
+    return fmt::format("{1}{0}{2}{0}{3}", between, std::lround(v.x), std::lround(v.y), std::lround(v.z));
+  };
+  const math::Vec3& eye = view->origin_world;
+  const math::Vec3& angles = view->angles_deg;
+  io_host.print(fmt::format("eyes at {} (units), looking {} (pitch, yaw, roll in degrees)", written(eye, " "),
+                            written(angles, " ")));
+  io_host.print(fmt::format("render --pos {} --angles {}", written(eye, ","), written(angles, ",")));
 }
 
 void change_view_size(Host& io_host, int step) {
@@ -218,6 +234,8 @@ void add_game_commands(Host& io_host) {
   add("disconnect", "Leaves the game.", [](Host& host, Arguments) { host.disconnect(); });
   add("quit", "Ends the program.", [](Host& host, Arguments) { host.quit(); });
   add("maps", "Lists the levels that there are.", [](Host& host, Arguments) { list_levels(host); });
+  add("viewpos", "Tells where the eyes are, in units, and where they look, in degrees.",
+      [](Host& host, Arguments) { tell_view(host); });
   add("color", "color SHIRT [TROUSERS] of the player, 0 to 13.", color_command);
   add("sizeup", "Shows less of the status bar.", [](Host& host, Arguments) { change_view_size(host, 10); });
   add("sizedown", "Shows more of the status bar.",

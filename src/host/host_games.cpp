@@ -1,6 +1,9 @@
 // What is played: levels, saved games, other servers, other game folders; and the files of all that.
 #include <fmt/format.h>
 
+#include <sstream>
+
+#include "base/text.h"
 #include "command/text.h"
 #include "formats/png.h"
 #include "host/configuration.h"
@@ -25,7 +28,11 @@ base::Status Host::configure() {
   // Nothing of what the folders before have set; nor of the command line, which is to come last.
   overrides_.release_changed(variables_.variables());
   variables_.reset();
-  console_.set_loader([this](std::string_view name) { return read_commands(*data_, name); });
+  console_.set_loader([this](std::string_view name) -> base::Result<std::string> {
+    if (name != kConfigurationFile) return read_commands(*data_, name);
+    TRY(ReadConfiguration configuration, read_configuration(*data_));
+    return std::move(configuration.text);
+  });
   const auto run = [this](std::string_view file) {
     console_.append(command::join_words({"exec", std::string(file)}));
     console_.run();
@@ -34,7 +41,11 @@ base::Status Host::configure() {
   // A game's own defaults first, for what it binds besides; the keys that hands know win over the original's.
   if (data_->library.files().contains("default.cfg")) run("default.cfg");
   bindings_.add_defaults();
-  if (const std::optional<std::string> file = configuration_to_run(*data_)) run(*file);
+  if (const std::optional<std::string> file = configuration_to_run(*data_)) {
+    const std::size_t errors = console_.errors_in_files();
+    run(*file);
+    if (*file == kConfigurationFile) check_configuration(console_.errors_in_files() - errors);
+  }
   if (has_commands(*data_, "autoexec.cfg")) run("autoexec.cfg");
   if (options_.apply_overrides)
     TRY_STATUS(overrides_.apply(options_.apply_overrides, variables_.variables()));
@@ -46,6 +57,25 @@ base::Status Host::configure() {
   for (const std::string& line : options_.commands) console_.append(line);
   has_begun_ = false;
   return base::Ok{};
+}
+
+// Settings that could not be read are the player's: he is told, and keeps them.
+void Host::check_configuration(std::size_t wrong_lines) {
+  const base::Result<ReadConfiguration> read = read_configuration(*data_);
+  const std::size_t lost = wrong_lines + (read.ok() ? read->unreadable_lines : 1);
+  if (lost == 0) return;
+  const auto kept = keep_configuration_aside(*data_);
+  std::string text =
+      fmt::format("In {} {} could not be read. All the others hold; what those said is as it was at first.",
+                  kConfigurationFile, base::counted(lost, "line"));
+  if (!kept.ok())
+    text += fmt::format("\n\nThe file cannot be kept: {}", kept.error().message());
+  else if (*kept)
+    text += fmt::format("\n\nThe file as it was is kept as\n{}", (*kept)->string());
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty()) print(line);
+  notices_.push_back({"Damaged settings", text, {{"Options", client::MenuPage::kOptions}}});
 }
 
 base::Status Host::open_own_server(std::uint32_t max_clients) {
@@ -122,6 +152,7 @@ bool Host::can_save() {
 std::string Host::unsaved() {
   constexpr double kWorthAsking_s = 5;
   if (!can_save() || now_s_ - saved_s_ < kWorthAsking_s) return {};
+  if (session_->server()->saves_when_left()) return {};
   return "What was played since the last save is lost.";
 }
 
@@ -180,7 +211,6 @@ base::Status Host::change_games(std::vector<std::string> games) {
 }
 
 base::Status Host::save_configuration() {
-  TRY_STATUS(keep_damaged(*data_, kConfigurationFile));
   const std::string text = configuration_text(bindings_, variables_, overrides_);
   TRY_STATUS(services_.write_file(data_->write_folder / kConfigurationFile, base::as_bytes(text)));
   const std::string history = console_ui_.history_text();

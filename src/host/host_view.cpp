@@ -20,7 +20,17 @@ void Host::read_presentation_settings() {
   presentation_settings_ = variables_.presentation();
   presentation_settings_.view.fov_deg = fov_deg_;
   presentation_settings_.sound = sound_.has_value();
+  presentation_settings_.hud.death_hint = death_hint();
   presentation_settings_.hud.shows_scores = input_.buttons()[client::Button::kScores].is_down();
+}
+
+// What the dead can do; the games all have it so.
+std::string_view Host::death_hint() {
+  if (demo_) return {};
+  if (!session_->is_alone()) return "Fire: come back";
+  return session_->server()->goes_on_from_save()
+             ? "Fire: go on from the last save\nJump: begin the level again"
+             : "Fire: begin the level again";
 }
 
 base::Status Host::make_scene() {
@@ -36,6 +46,11 @@ base::Status Host::make_scene() {
 
 bool Host::has_view() const {
   return (demo_ || session_->is_playing()) && data_->presentation.has_level();
+}
+
+std::optional<render::Camera> Host::view() const {
+  if (!has_view()) return std::nullopt;
+  return data_->presentation.scene().camera;
 }
 
 void Host::draw() {

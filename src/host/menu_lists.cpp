@@ -17,6 +17,7 @@ constexpr std::string_view kHelp = R"(# Playing
 W A S D walk, the mouse looks, its left button fires and its right one jumps.
 1 to 8 and the wheel choose weapons. Shift walks slowly where one always runs.
 F6 saves at once, F9 goes back to that. Escape opens the menu.
+A game for one is also saved by itself. Who is dead fires to go on from the last save, or jumps to begin the level again.
 # The console
 ` opens it. Type a word and press Tab to see what there is; `help NAME` explains it.
 `map NAME` begins a game on a level, `maps` lists them.
@@ -63,12 +64,19 @@ std::vector<client::MenuLevel> MenuLists::levels() {
   const vfs::FileSystem& files = data_.library.files();
   for (const std::string& file : files.list("maps/", ".bsp")) {
     const std::string name = file.substr(5, file.size() - 9);
-    if (!name.starts_with("b_")) levels_.push_back({name, title_of(files, file)});
+    if (!name.starts_with("b_")) levels_.push_back({name, title_of_level(name)});
   }
   return levels_;
 }
 
-std::vector<client::MenuSave> MenuLists::saves() const {
+const std::string& MenuLists::title_of_level(const std::string& level) {
+  const auto [entry, is_new] = titles_.try_emplace(level);
+  const std::string file = "maps/" + level + ".bsp";
+  if (is_new && data_.library.files().contains(file)) entry->second = title_of(data_.library.files(), file);
+  return entry->second;
+}
+
+std::vector<client::MenuSave> MenuLists::saves() {
   std::vector<client::MenuSave> saves;
   for (const std::string& name : written_files(data_, ".sav")) {
     const base::Result<base::ByteVector> bytes = vfs::read_disk_file(data_.write_folder / (name + ".sav"));
@@ -81,6 +89,9 @@ std::vector<client::MenuSave> MenuLists::saves() const {
     // "The Slipgate Complex   kills:  3/ 21"
     client::MenuSave save{
         .name = name, .level_title = sav->comment.substr(0, 22), .time_s = double{sav->time_s}};
+    // Of which it holds no more than that.
+    if (const std::string& title = title_of_level(sav->map); title.size() > save.level_title.size())
+      save.level_title = title;
     while (save.level_title.ends_with(' ') || save.level_title.ends_with('_')) save.level_title.pop_back();
     if (const std::size_t kills = sav->comment.find("kills:"); kills != std::string::npos) {
       save.kills = std::atoi(sav->comment.c_str() + kills + 6);

@@ -21,7 +21,9 @@ class MenuLists {
 
  private:
   std::vector<client::MenuLevel> levels();
-  std::vector<client::MenuSave> saves() const;
+  // Empty: it has none, or is not there. Each level is read once.
+  const std::string& title_of_level(const std::string& level);
+  std::vector<client::MenuSave> saves();
   std::vector<client::MenuDemo> demos() const;
   std::vector<client::MenuGameFolder> game_folders() const;
 
@@ -29,6 +31,7 @@ class MenuLists {
   const GameData& data_;
   Thumbnails thumbnails_;
   std::vector<client::MenuLevel> levels_;  // read once
+  std::map<std::string, std::string> titles_;
 };
 
 // Files of the last game folder as it is now whose names end so, without that ending; newest first.

@@ -109,9 +109,10 @@ void status(Server& io_server) {
   for (std::size_t slot = 0; slot < io_server.clients().size(); ++slot) {
     const Client& client = io_server.clients()[slot];
     if (client.is_free()) continue;
-    io_server.print(fmt::format("#{:<3} {:<15} {:5} frags {:5.0f} s {:4.0f} ms  {}\n", slot + 1, client.name,
-                                client.frags_told, io_server.now_s() - client.joined_at_s,
-                                client.ping() * 1000, client.address));
+    io_server.print(fmt::format("#{:<3} {:<15} {:5} {:<5} {:5.0f} s {:4.0f} ms  {}\n", slot + 1, client.name,
+                                client.frags_told, client.frags_told == 1 ? "frag" : "frags",
+                                io_server.now_s() - client.joined_at_s, client.ping() * 1000,
+                                client.address));
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "command/text.h"
+#include "server/give.h"
 
 namespace temblor::server {
 namespace {
@@ -46,10 +47,28 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
+// `wanted`, with a number behind it where somebody else is called so already: "player (2)".
+std::string free_name(std::span<const Client> clients, std::size_t slot, const std::string& wanted) {
+  const auto is_taken = [&](const std::string& name) {
+    for (std::size_t other = 0; other < clients.size(); ++other)
+      if (other != slot && !clients[other].is_free() && base::equal_ignoring_case(clients[other].name, name))
+        return true;
+    return false;
+  };
+  if (wanted == Client::kNoName) return wanted;
+  std::string name = wanted;
+  for (int number = 2; is_taken(name); ++number) {
+    const std::string mark = fmt::format(" ({})", number);
+    name = wanted.substr(0, kMaxNameChars - mark.size()) + mark;
+  }
+  return name;
+}
+
 void name_command(const Caller& caller) {
   if (caller.words.size() < 2) return caller.print(fmt::format("\"name\" is \"{}\"\n", caller.client().name));
   Client& client = caller.client();
-  const std::string name = presentable_name(caller.rest());
+  const std::string name =
+      free_name(caller.server.clients().all(), caller.slot, presentable_name(caller.rest()));
   if (name == client.name) return;
   if (client.is_in_game() && client.name != Client::kNoName)
     caller.server.print(fmt::format("{} is now {}\n", client.name, name));
@@ -156,38 +175,8 @@ void toggle_move_type(const Caller& caller, MoveType type, std::string_view name
   caller.print(fmt::format("{} {}\n", name, is_on ? "ON" : "OFF"));
 }
 
-// "give 3", "give h 100": a weapon by its number, or how much there is of something by its first letter.
 void give_command(const Caller& caller) {
-  if (caller.words.size() < 2 || caller.words[1].empty())
-    return caller.print("give 2 to 8, or h, s, n, r, c, a N\n");
-  // Shotgun, super shotgun, nailgun, super nailgun, grenade and rocket launcher, lightning.
-  constexpr std::array<int, 7> kWeapons = {1, 2, 4, 8, 16, 32, 64};
-  constexpr std::string_view kAmounts = "hsnrca";
-  const Edict edict = caller.edict();
-  const char what = caller.words[1][0];
-  if (what >= '2' && what <= '8') {
-    const int weapon = kWeapons[static_cast<std::size_t>(what - '2')];
-    return edict.set(field::kItems, static_cast<float>(edict.whole(field::kItems) | weapon));
-  }
-  const auto number = caller.words.size() > 2 ? command::parse_whole_number(caller.words[2]) : std::nullopt;
-  if (kAmounts.find(what) == std::string_view::npos)
-    return caller.print(fmt::format("there is nothing \"{}\" to give\n", base::quotable(caller.words[1])));
-  if (!number) return caller.print(fmt::format("give {} NUMBER: how much\n", what));
-  const auto amount = static_cast<float>(*number);
-  switch (what) {
-    case 'h':
-      return edict.set(field::kHealth, amount);
-    case 's':
-      return edict.set(field::kAmmoShells, amount);
-    case 'n':
-      return edict.set(field::kAmmoNails, amount);
-    case 'r':
-      return edict.set(field::kAmmoRockets, amount);
-    case 'c':
-      return edict.set(field::kAmmoCells, amount);
-    default:
-      return edict.set(field::kArmorValue, amount);
-  }
+  caller.print(give(*caller.server.game(), caller.slot, caller.words));
 }
 
 // What is behind the first word of it, which may stand in quotes.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "command/text.h"
 #include "server/host_commands.h"
 #include "server/player_commands.h"
 #include "server/save_game.h"
@@ -75,7 +76,7 @@ void Server::take_up(LoadedGame loaded) {
   is_paused_ = false;
   goes_on_.assign(clients_.size(), false);
   unplayed_s_ = 0;
-  saved_at_s_ = now_s_;
+  autosave_.begin_level();
   clients_.set_dialect(game.dialect, max_reliable_bytes(game.dialect));
   endpoint_.set_protocol(game.dialect.protocol);
   for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
@@ -96,7 +97,10 @@ void Server::take_up(LoadedGame loaded) {
 base::Status Server::start_map(std::string_view map) {
   TRY(LoadedGame loaded, load_game(request_for(map), setup_.settings, services()));
   TRY(const SpawnParameters parameters, loaded.game->new_parameters());
+  save_before_leaving();
   take_up(std::move(loaded));
+  autosave_.begin_game();
+  last_save_.clear();
   for (Client& client : clients_.all()) client.parameters = parameters;
   return base::Ok{};
 }
@@ -115,6 +119,7 @@ base::Status Server::change_level(std::string_view map) {
     TRY(carried[slot], game_->parameters_to_carry(slot));
   }
   take_up(std::move(loaded));
+  last_save_.clear();
   for (std::size_t slot = 0; slot < clients_.size(); ++slot) clients_[slot].parameters = carried[slot];
   return base::Ok{};
 }
@@ -157,12 +162,22 @@ base::Status Server::save(std::string_view name) {
                                           total(global::kTotalMonsters));
   TRY(const std::string text, formats::write_sav(save_of(*game_, comment)));
   TRY_STATUS(setup_.write_file(file, base::as_bytes(text)));
-  saved_at_s_ = now_s_;
-  print(fmt::format("saved to {}\n", file.string()));
+  autosave_.note_save(now_s_);
+  last_save_ = file.stem().string();
+  // A player knows it by its name.
+  print(fmt::format("saved {} {}\n", setup_.prints_events ? "to" : "as",
+                    setup_.prints_events ? file.string() : file.stem().string()));
   return base::Ok{};
 }
 
 base::Status Server::load(std::string_view name) {
+  base::Status loaded = go_on_from(name);
+  // One that cannot be used is not offered to the dead again.
+  if (!loaded.ok() && name == last_save_) last_save_.clear();
+  return loaded;
+}
+
+base::Status Server::go_on_from(std::string_view name) {
   if (setup_.max_clients > 1)
     return base::error(base::ErrorCode::kUsage, "a saved game can be gone on with by one player alone");
   TRY(const std::filesystem::path file, file_to_write(name, ".sav"));
@@ -176,6 +191,8 @@ base::Status Server::load(std::string_view name) {
   TRY(const std::vector<std::string> notes, restore(sav, *loaded.game).with_file(file.string()));
   loaded.notes.insert(loaded.notes.end(), notes.begin(), notes.end());
   take_up(std::move(loaded));
+  last_save_ = file.stem().string();
+  autosave_.begin_loaded(last_save_);
   clients_[0].parameters = sav.spawn_parameters;
   print_if_error(setup_.settings.variables().set("skill", std::to_string(sav.skill)));
   goes_on_[0] = true;
@@ -270,6 +287,18 @@ void Server::fail(const base::Error& error) {
   print("no level is running; `map NAME` starts one\n");
 }
 
+bool Server::goes_on_from_save() const {
+  return clients_.size() == 1 && !last_save_.empty() && setup_.settings.autoloads();
+}
+
+// Game code begins the level again for a dead player who presses a button, whichever.
+bool Server::takes_last_save(std::string_view commands) const {
+  constexpr std::uint8_t kJump = 2;
+  while (commands.ends_with('\n')) commands.remove_suffix(1);
+  return commands == "restart" && goes_on_from_save() && !(game_->player(0)[field::kHealth] > 0) &&
+         (inputs_[0].buttons & kJump) == 0;
+}
+
 // What QuakeC asked for while it ran.
 void Server::do_requests() {
   Requests requests = std::exchange(game_->requests(), {});
@@ -279,13 +308,15 @@ void Server::do_requests() {
   }
   for (const std::size_t slot : requests.dropped_players)
     if (slot < clients_.size()) drop(slot, "dropped by the game");
-  if (!requests.commands.empty()) console_.append(requests.commands);
+  if (!requests.commands.empty())
+    console_.append(takes_last_save(requests.commands) ? command::join_words({"load", last_save_})
+                                                       : requests.commands);
   if (requests.change_level) console_.append("changelevel \"" + *requests.change_level + "\"\n");
 }
 
 void Server::shut_down(std::string_view reason) {
   if (recorder_) print_if_error(stop_recording());
-  if (can_autosave()) print_if_error(save("autosave"));
+  save_before_leaving();
   clients_.print_everyone(fmt::format("{}\n", reason));
   clients_.send_waiting();
   for (std::size_t slot = 0; slot < clients_.size(); ++slot)

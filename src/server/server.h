@@ -16,6 +16,7 @@
 #include "command/console.h"
 #include "net/client_message.h"
 #include "net/server_endpoint.h"
+#include "server/autosave.h"
 #include "server/client_datagram.h"
 #include "server/clients.h"
 #include "server/game.h"
@@ -62,6 +63,12 @@ class Server {
   base::Status reload();
   base::Status save(std::string_view name);
   base::Status load(std::string_view name);
+  // Whether the game of a single player is saved when it is left, so that nothing is lost by that.
+  bool saves_when_left() const { return autosave_.is_worth_saving(now_s_) && can_autosave(); }
+  // The name of a game that was saved without being asked, once; else empty.
+  std::string take_autosaved() { return std::exchange(autosaved_, {}); }
+  // Whether a dead player who fires goes on from a saved game of this level.
+  bool goes_on_from_save() const;
 
   // --- Time. `now_s` is any clock's and never goes back.
   // Packets in, commands, as many ticks as are due (the rest of a long wait is forgotten), packets out.
@@ -128,6 +135,7 @@ class Server {
   GameRequest request_for(std::string_view map) const;
   base::Result<std::filesystem::path> file_to_write(std::string_view name, std::string_view suffix) const;
   base::Status replace_game(const GameRequest& request);
+  base::Status go_on_from(std::string_view saved_game);
   void take_up(LoadedGame loaded);
   void do_requests();
   void print_if_error(const base::Status& status);
@@ -148,7 +156,9 @@ class Server {
   void take_in_bots();
   void clear_flashes();
   void autosave();
-  bool can_autosave();
+  void save_before_leaving();
+  bool can_autosave() const;
+  bool takes_last_save(std::string_view commands) const;
 
   ServerSetup setup_;
   command::Console console_;
@@ -163,15 +173,16 @@ class Server {
   double now_s_ = 0;
   double unplayed_s_ = 0;  // of the clock, not yet played
   double failed_at_s_ = -1e9;
-  double saved_at_s_ = 0;
+  Autosave autosave_;
+  std::string autosaved_;  // take_autosaved()
+  std::string last_save_;  // of this level, saved or loaded; empty: none
   std::uint64_t ticks_ = 0;
   std::uint64_t told_rules_version_ = 0;  // of the variables, when players were last told of rules
   // By slot: the player is in the game already (loaded or reloaded) when his client asks to be put there.
   std::vector<bool> goes_on_;
   std::optional<std::string> captured_;  // run_and_capture()
   bool has_started_ = false;
-  bool has_told_of_autosave_ = false;  // that it cannot work
-  bool has_told_of_numbers_ = false;   // that entities have no number in the protocol
+  bool has_told_of_numbers_ = false;  // that entities have no number in the protocol
   bool is_paused_ = false;
   bool wants_to_quit_ = false;
 };

@@ -124,8 +124,9 @@ void Server::acknowledge_moves(std::size_t slot) {
 void Server::send_tick() {
   take_snapshot(game_->world(), game_->machine(), game_->look_fields(), game_->setup().dialect, snapshot_);
   if (snapshot_.unnumbered > 0 && !has_told_of_numbers_) {
-    print(fmt::format("{} entities have no number in protocol 15; sv_protocol 666 has\n",
-                      snapshot_.unnumbered));
+    print(fmt::format("{} no number in protocol 15; sv_protocol 666 has\n",
+                      snapshot_.unnumbered == 1 ? std::string("an entity has")
+                                                : fmt::format("{} entities have", snapshot_.unnumbered)));
     has_told_of_numbers_ = true;
   }
   tell_frags();
@@ -240,20 +241,34 @@ void Server::clear_flashes() {
   }
 }
 
-bool Server::can_autosave() {
-  return setup_.settings.autosave_s() > 0 && game_ && clients_.size() == 1 && clients_[0].is_in_game() &&
-         game_->player(0)[field::kHealth] > 0;
+// A game of several is nobody's own; one that is over, and one that nobody sees, are not kept either.
+bool Server::can_autosave() const {
+  if (setup_.settings.autosave_s() <= 0 || !setup_.write_file || setup_.write_folder.empty() || !game_ ||
+      clients_.size() > 1 || clients_.all()[0].stage != ClientStage::kPlaying)
+    return false;
+  const Edict player = game_->player(0);
+  return player[field::kHealth] > 0 && player.move_type() != MoveType::kNone;
 }
 
 void Server::autosave() {
-  const double every_s = setup_.settings.autosave_s();
-  if (every_s > 0 && clients_.size() > 1 && !has_told_of_autosave_) {
-    print("sv_autosave: a game of several players cannot be saved\n");
-    has_told_of_autosave_ = true;
-  }
-  if (now_s_ - saved_at_s_ < every_s || !can_autosave()) return;
-  saved_at_s_ = now_s_;  // one that fails is tried again after the same time
-  print_if_error(save("autosave"));
+  if (is_paused_ || !can_autosave()) return;
+  const Edict player = game_->player(0);
+  autosave_.watch({.health = player[field::kHealth],
+                   .stands = player.move_type() != MoveType::kWalk || player.has_flag(flag::kOnGround) ||
+                             player[field::kWaterLevel] > 0},
+                  now_s_);
+  if (autosave_.is_due(setup_.settings.autosave_s(), now_s_)) save_before_leaving();
+}
+
+// Also in the middle of a game. One that fails is tried again when the next is due.
+void Server::save_before_leaving() {
+  if (!saves_when_left()) return;
+  const std::string name = autosave_.choose_name(setup_.write_folder);
+  if (const base::Status saved = save(name); saved.ok())
+    autosaved_ = name;
+  else
+    print_if_error(saved);
+  autosave_.note_save(now_s_);
 }
 
 }  // namespace temblor::server

@@ -70,8 +70,12 @@ ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(
       v.add_int_or_zero("sv_maxrate", 0, kLeastRate, 10'000'000,
                         "Bytes a second of updates to each client; where they do not suffice, it gets fewer "
                         "updates; 0: one each step.");
-  autosave_ = v.add_float("sv_autosave", 0, 0, 1440,
-                          "Minutes between two saves of a game without being asked; 0: never.");
+  autosave_ = v.add_float("sv_autosave", 3, 0, 1440,
+                          "Minutes between two saves of a single player's game without being asked, and one "
+                          "where a level begins and where the game is left; 0: none.");
+  autoload_ = v.add_bool("sv_autoload", true,
+                         "A dead player who fires goes on from the level's last saved game (jumping begins "
+                         "the level again); 0: always begins again.");
   constexpr std::array<std::string_view, 4> kProtocols = {"auto", "15", "666", "999"};
   protocol_ = v.add_choice("sv_protocol", kProtocols,
                            "Of the next level: the protocol; auto: the oldest that can say all of it.");
@@ -141,6 +145,9 @@ double ServerVariables::max_rate_bytes_per_second() const {
 }
 double ServerVariables::autosave_s() const {
   return variables_->float_value(autosave_) * 60;
+}
+bool ServerVariables::autoloads() const {
+  return variables_->bool_value(autoload_);
 }
 
 std::optional<net::Protocol> ServerVariables::protocol() const {

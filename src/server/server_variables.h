@@ -26,6 +26,7 @@ class ServerVariables {
   bool has_reliable_updates() const;
   double max_rate_bytes_per_second() const;  // 0: no limit
   double autosave_s() const;                 // 0: never
+  bool autoloads() const;
   // Nothing: chosen by what the level needs.
   std::optional<net::Protocol> protocol() const;
   std::string host_name() const;
@@ -44,9 +45,9 @@ class ServerVariables {
   command::Variables* variables_;
   command::VariableIndex gravity_, max_velocity_, friction_, edge_friction_, stop_speed_, accelerate_,
       max_speed_, no_step_;
-  command::VariableIndex skill_, deathmatch_, coop_, tick_rate_, autosave_, protocol_, host_name_, timeout_,
-      rcon_password_, cheats_, reload_, pausable_, frame_time_, ideal_pitch_scale_, reliable_updates_,
-      max_rate_;
+  command::VariableIndex skill_, deathmatch_, coop_, tick_rate_, autosave_, autoload_, protocol_, host_name_,
+      timeout_, rcon_password_, cheats_, reload_, pausable_, frame_time_, ideal_pitch_scale_,
+      reliable_updates_, max_rate_;
 };
 
 }  // namespace temblor::server

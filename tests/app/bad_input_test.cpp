@@ -57,6 +57,13 @@ TEST(BadInput, WrongCommandLinesAreUsageErrors) {
       {{"bench", "--json", "--report"}, "--json"},
       {{"bench", "--step", "0"}, "--step"},
       {{"inspect"}, "file"},
+      // Options that stand before their command, behind another, or without any.
+      {{"--progs", "x.dat", "play"}, "temblor play --progs"},
+      {{"--size", "640x480", "render", "-o", "x.png"}, "temblor render --size"},
+      {{"--map=start", "serve"}, "temblor serve --map"},
+      {{"--map", "start"}, "temblor play --map"},
+      {{"play", "--maxclients", "3"}, "play has no option --maxclients: it is one of serve"},
+      {{"play", "--frobnicate"}, "play has no option --frobnicate"},
   };
   for (const Case& c : cases) expect_error(folder.path(), c.words, 2, {c.part, "--help"});
 }

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "app/program.h"
+#include "artgen/palette.h"
 #include "formats/bsp.h"
+#include "formats/png.h"
 #include "support/game_data.h"
 #include "support/temporary_folder.h"
 #include "world/level.h"
@@ -101,6 +103,27 @@ TEST(FirstRoom, LeaksWithoutItsSky) {
   const ProgramRun run = run_program(folder.path(), {"compile", "room.map"});
   EXPECT_THAT(run.err, HasSubstr("leak"));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "room.pts"));
+}
+
+// A game folder's own WAD, without the map or the command line naming it, also when the game is played.
+TEST(FirstRoom, TakesTexturesOfTheGameFolder) {
+  const TemporaryFolder folder;
+  std::string text = map_in(docs_section());
+  for (std::size_t at = text.find(" slabs "); at != std::string::npos; at = text.find(" slabs "))
+    text.replace(at, 7, " our_own ");
+  folder.write("room.map", text);
+  folder.write("base/id1/gfx/palette.lmp", formats::write_palette(artgen::make_palette()));
+  const std::vector<std::uint32_t> pixels(16 * 16, 0xff336699);
+  folder.write("pictures/our_own.png", formats::write_png(pixels, 16, 16).value());
+  const std::vector<std::string> compile = {"--basedir", "base", "compile", "room.map"};
+  const ProgramRun without = run_program(folder.path(), compile);
+  EXPECT_THAT(without.err, HasSubstr("our_own"));
+  const ProgramRun wad = run_program(folder.path(), {"--basedir", "base", "compile", "--textures", "pictures",
+                                                     "-o", "base/id1/textures.wad"});
+  ASSERT_EQ(wad.exit_status, 0) << wad.err;
+  const ProgramRun with = run_program(folder.path(), compile);
+  EXPECT_EQ(with.exit_status, 0);
+  EXPECT_THAT(with.err, IsEmpty());
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ xdotool key grave; sleep 0.6; xdotool type quit; xdotool key Return
 wait $game; echo "ended with $?"
 )");
   EXPECT_THAT(out, HasSubstr("ended with 0"));
-  EXPECT_THAT(out, HasSubstr("saved to"));
+  EXPECT_THAT(out, HasSubstr("saved as quick"));
   EXPECT_THAT(out, Not(HasSubstr("unknown command")));
   const Png began = evening.picture("temblor0000"), turned = evening.picture("temblor0001"),
             dead = evening.picture("temblor0002"), loaded = evening.picture("temblor0003");

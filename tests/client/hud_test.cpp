@@ -409,6 +409,39 @@ TEST(Hud, ShowsTheLevelsScoresToTheDead) {
   EXPECT_THAT(lines, Contains("Secrets : 0 / 3 Level"));
 }
 
+TEST(Hud, ShortensLongNamesOfLevels) {
+  Game game = rich_game();
+  set(game, Stat::kHealth, -10);
+  game.level_name = "Exactly twenty chars";
+  EXPECT_THAT(draw_calm(game).lines(), Contains(testing::EndsWith("0 / 0 Exactly twenty chars")));
+  game.level_name = "The long way down to the old mines";
+  EXPECT_THAT(draw_calm(game).lines(), Contains(testing::EndsWith("0 / 0 The long way down...")));
+}
+
+// Those who are dead are told after a second what they can do, above whatever else stands there.
+TEST(Hud, TellsTheDeadHowToGoOn) {
+  Hud hud(art().pictures());
+  Game game = rich_game();
+  const HudSettings settings{.death_hint = "Fire: this\nJump: that"};
+  hud.advance(game, {}, 10);
+  EXPECT_THAT(draw(hud, game, 20, kSizes[0], settings).lines(), Not(Contains("Fire: this")));
+  set(game, Stat::kHealth, 0);
+  hud.advance(game, {}, 20);
+  hud.advance(game, {}, 20.5);
+  EXPECT_THAT(draw(hud, game, 20.9, kSizes[0], settings).lines(), Not(Contains("Fire: this")));
+  hud.advance(game, {}, 21);
+  for (const Size& size : kSizes) {
+    const Drawn drawn = draw(hud, game, 21.1, size, settings);
+    EXPECT_THAT(drawn.lines(), testing::IsSupersetOf({"Fire: this", "Jump: that"}));
+    expect_inside(drawn);
+  }
+  set(game, Stat::kHealth, 50);
+  hud.advance(game, {}, 22);
+  set(game, Stat::kHealth, -1);
+  hud.advance(game, {}, 23);
+  EXPECT_THAT(draw(hud, game, 23.5, kSizes[0], settings).lines(), Not(Contains("Fire: this"))) << "dead anew";
+}
+
 Game deathmatch() {
   Game game = rich_game();
   game.deathmatch = true;
@@ -431,6 +464,23 @@ TEST(Hud, ShowsTheLeadersOfADeathmatch) {
   Game alone = deathmatch();
   alone.deathmatch = false;
   EXPECT_THAT(draw_calm(alone).lines().at(0), Not(testing::HasSubstr("12")));
+}
+
+TEST(Hud, ShowsWhatCountsInTheGameThatIsPlayed) {
+  Game game = deathmatch();
+  set(game, Stat::kTotalMonsters, 9);
+  const HudSettings settings{.shows_scores = true};
+  std::vector<std::string> lines = draw_calm(game, kSizes[1], settings).lines();
+  EXPECT_THAT(lines, Contains(testing::StartsWith("Frags: 3 Time"))) << "Cid's";
+  EXPECT_THAT(lines, Contains("Place: 2 / 5 Level")) << "only Bob has more";
+  EXPECT_THAT(lines, Not(Contains(testing::HasSubstr("Monsters"))));
+  EXPECT_THAT(lines, Not(Contains(testing::HasSubstr("Secrets"))));
+  EXPECT_THAT(lines, Contains("12 Bob"));
+  // Together both count.
+  game.deathmatch = false;
+  lines = draw_calm(game, kSizes[1], settings).lines();
+  EXPECT_THAT(lines, Contains(testing::StartsWith("Monsters: 0 / 9 Time")));
+  EXPECT_THAT(lines, Contains("12 Bob"));
 }
 
 TEST(Hud, RanksAllPlayersForTheDead) {

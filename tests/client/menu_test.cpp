@@ -505,6 +505,32 @@ TEST(Menu, TakesWhatIsForItAndLeavesTheRest) {
   EXPECT_FALSE(hand.menu().wants_text());
 }
 
+TEST(Menu, TellsWhatHasHappenedAndLeadsToWhatHelps) {
+  for (const Device device : kDevices)
+    for (const MenuByHand::Size& size : {kSmallest, MenuByHand::Size{1280, 720}}) {
+      MenuByHand hand(MenuByHand::some_content(), size);
+      hand.menu().tell(
+          {.title = "Gone",
+           .text = "The first line.\n\nAnother one that is by far too long for a single line of it.",
+           .pages = {{"Other servers", MenuPage::kJoin}}});
+      EXPECT_THAT(hand.all_text(),
+                  AllOf(HasSubstr("Gone"), HasSubstr("The first line."), HasSubstr("of it.")));
+      EXPECT_THAT(hand.selected(), HasSubstr("OK"));
+      hand.point(1, 1);  // a pointer that has not moved since the menu opened points at nothing
+      ASSERT_TRUE(hand.choose("Other servers", device));
+      EXPECT_THAT(hand.all_text(), HasSubstr("Attic"));
+      hand.go_back(device);
+      ASSERT_TRUE(hand.choose("OK", device));
+      EXPECT_THAT(hand.all_text(), HasSubstr("Single player")) << "the main page lies under it";
+    }
+  // Two in a row are read one after the other.
+  MenuByHand hand;
+  hand.menu().tell({.title = "One", .text = "first"});
+  hand.menu().tell({.title = "Two", .text = "second"});
+  ASSERT_TRUE(hand.choose("OK"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("first"));
+}
+
 TEST(Menu, CommandsOpenPages) {
   std::set<std::string_view> names;
   for (const MenuCommand& command : menu_commands()) {

@@ -8,8 +8,10 @@
 namespace temblor::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 namespace field = server::field;
 
 const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
@@ -203,6 +205,51 @@ TEST(Players, DieAloneAndTheLevelStartsAgain) {
   game.run(2);
   EXPECT_EQ(game.commands(), "restart\n");
   EXPECT_THAT(game.errors(), IsEmpty());
+}
+
+TEST(Players, AreToldOfWhatTheyDied) {
+  DATA_FOLDER_OR_SKIP(data);
+  const auto last_words = [&](auto kill) {
+    PlayedLevel game(data, "start", kProgs);
+    game.join(0);
+    game.run(0.5);
+    const std::size_t before = game.said().size();
+    kill(game);
+    game.tick();
+    return game.said().substr(before);
+  };
+  const std::vector<const char*> killers = {
+      "monster_army",   "monster_demon1",  "monster_dog",      "monster_enforcer", "monster_fish",
+      "monster_ogre",   "monster_knight",  "monster_shambler", "monster_shalrath", "monster_hell_knight",
+      "monster_zombie", "monster_tarbaby", "monster_wizard",   "misc_explobox",    "trap_spikeshooter",
+      "trap_shooter",   "trigger_hurt"};
+  for (const char* name : killers)
+    EXPECT_THAT(last_words([&](PlayedLevel& game) {
+                  const math::Vec3 place = game.player(0)[field::kOrigin] + math::Vec3(0, 0, 64);
+                  game.hurt(1, game.spawn(name, place, 0), 500);
+                }),
+                AllOf(HasSubstr("\n"), Not(HasSubstr(" died"))))
+        << name;
+  EXPECT_THAT(last_words([](PlayedLevel& game) { game.hurt(1, 1, 500); }), HasSubstr(" was too near"));
+  EXPECT_THAT(last_words([](PlayedLevel& game) {
+                game.player(0).set(field::kWaterLevel, 3.0f);
+                game.player(0).set(field::kWaterType, -5.0f);
+                game.hurt(1, 0, 500);
+              }),
+              HasSubstr(" went into the lava"));
+}
+
+TEST(Players, AreCountedInTheSingularAndThePlural) {
+  DATA_FOLDER_OR_SKIP(data);
+  for (const float frags : {0.0f, 1.0f, 2.0f}) {
+    PlayedLevel game(data, "lqdm1", kProgs, {.kind = server::GameKind::kDeathmatch, .players = 2});
+    game.join(0);
+    game.run(0.2);
+    game.player(0).set(field::kFrags, frags);
+    game.call_function("ClientDisconnect", vm::EntityIndex{1});
+    game.tick();
+    EXPECT_THAT(game.said(), HasSubstr(frags == 1 ? " frag\n" : " frags\n")) << frags;
+  }
 }
 
 TEST(Players, LeaveThroughTheExitAndTakeTheirThingsAlong) {

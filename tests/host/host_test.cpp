@@ -152,10 +152,58 @@ TEST(Host, AConfigurationThatIsNoTextIsKeptAside) {
   played.folder().write("id1/temblor.cfg", std::string_view("sensitivity 9\n\0\x01\x02 rubbish", 25));
   played.start_again();
   played.run(0.05);
-  EXPECT_TRUE(played.has_printed("temblor.cfg"));
+  EXPECT_TRUE(played.has_printed("In temblor.cfg 1 line could not be read"));
+  EXPECT_EQ(played.variables().variables().find("sensitivity")->number, 9) << "the line above is good";
+  EXPECT_TRUE(std::filesystem::exists(played.folder().path() / "id1/temblor.cfg.damaged"));
   played.command("quit");
   played.run(0.05);
+  played.start_again();
+  played.run(0.05);
+  EXPECT_FALSE(played.has_printed("could not be read")) << "it was written anew";
+  EXPECT_EQ(played.variables().variables().find("sensitivity")->number, 9);
+}
+
+// What is text and means nothing here: the player's, and not to be lost either.
+TEST(Host, LinesOfTheConfigurationThatMeanNothingAreKeptAside) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayedHost played;
+  played.folder().write(
+      "id1/temblor.cfg",
+      std::string_view("sensitivity 9\nfov wide\nno_such_thing 1\nbind x \"echo hello\"\n"));
+  played.start_again();
+  played.run(0.05);
+  EXPECT_TRUE(played.has_printed("In temblor.cfg 2 lines could not be read"));
+  EXPECT_TRUE(played.has_printed("temblor.cfg:2: "));
+  EXPECT_TRUE(played.has_printed("temblor.cfg:3: "));
   EXPECT_TRUE(std::filesystem::exists(played.folder().path() / "id1/temblor.cfg.damaged"));
+  EXPECT_EQ(played.variables().variables().find("sensitivity")->number, 9);
+}
+
+TEST(Host, TellsWhereThePlayerLooksFrom) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayedHost played({"viewpos", "map small"});
+  ASSERT_TRUE(played.run_until_playing());
+  EXPECT_TRUE(played.has_printed("viewpos: there is no view"));
+  played.run(0.5);
+  played.command("viewpos");
+  played.run(0.05);
+  const math::Vec3 origin = played.host().session().server()->game()->player(0)[server::field::kOrigin];
+  EXPECT_TRUE(played.has_printed(
+      fmt::format("eyes at {:.0f} {:.0f} {:.0f} (units)", origin.x, origin.y, origin.z + 22)));
+}
+
+TEST(Host, AGameThatIsSavedByItselfGetsItsPicture) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayedHost played({"map small"});
+  ASSERT_TRUE(played.run_until_playing());
+  played.run(7);
+  EXPECT_TRUE(played.has_printed("saved as autosave"));
+  for (const char* file : {"id1/autosave.sav", "id1/autosave.png"})
+    EXPECT_TRUE(std::filesystem::exists(played.folder().path() / file)) << file;
+  EXPECT_EQ(played.host().unsaved(), "") << "it is saved when it is left";
+  played.command("sv_autosave 0");
+  played.run(6);
+  EXPECT_NE(played.host().unsaved(), "");
 }
 
 TEST(Host, CommandsThatCallThemselvesEnd) {

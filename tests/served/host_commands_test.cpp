@@ -150,16 +150,78 @@ TEST(HostCommands, PlayersGiveThemselvesNumbersOnly) {
   ServedGame served(small_program(), {.max_clients = 1});
   const std::size_t me = served.add_client("one");
   ASSERT_TRUE(served.run_until_playing(me));
-  for (const char* line : {"give h many", "give h", "give x 1"}) {
+  for (const char* line : {"give h many", "give x 1", "give"}) {
     served.client(me).send_command(line);
     served.run(0.2);
     EXPECT_EQ(served.game().player(0)[server::field::kHealth], 100) << line;
   }
-  EXPECT_THAT(served.prints(me), HasSubstr("give h NUMBER"));
+  EXPECT_THAT(served.prints(me), HasSubstr("give h NUMBER: \"many\" is not a whole number"));
   EXPECT_THAT(served.prints(me), HasSubstr("nothing \"x\" to give"));
   served.client(me).send_command("give h 250");
   served.run(0.2);
   EXPECT_EQ(served.game().player(0)[server::field::kHealth], 250);
+  served.client(me).send_command("give health 0");
+  served.run(0.2);
+  EXPECT_EQ(served.game().player(0)[server::field::kHealth], 1) << "nobody dies of a gift";
+}
+
+TEST(HostCommands, PlayersGiveThemselvesEverything) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(small_program(), {.max_clients = 1});
+  const std::size_t me = served.add_client("one");
+  ASSERT_TRUE(served.run_until_playing(me));
+  const server::Edict player = served.game().player(0);
+  const auto told = [&](const char* line) {
+    const std::size_t before = served.prints(me).size();
+    served.client(me).send_command(line);
+    served.run(0.2);
+    return served.prints(me).substr(before);
+  };
+  player.set(server::field::kWeapon, 8.0f);  // the super nailgun
+  EXPECT_EQ(told("give 4"), "You have the nailgun\n");
+  EXPECT_EQ(player.whole(server::field::kItems), 4);
+  EXPECT_EQ(told("give n 30"), "You have 30 nails\n");
+  EXPECT_EQ(player[server::field::kCurrentAmmo], 30) << "those of the weapon in hand are shown";
+  EXPECT_EQ(told("give shells"), "You have 100 shells\n");
+  EXPECT_EQ(player[server::field::kCurrentAmmo], 30);
+  EXPECT_EQ(told("give armor 120"), "You have 120 armour\n");
+  EXPECT_FLOAT_EQ(player[server::field::kArmorType], 0.6f) << "yellow";
+  player.set(server::field::kHealth, 7.0f);
+  EXPECT_EQ(told("give all"), "You have everything\n");
+  // The seven weapons and the axe, the best armour, both keys; not the eighth weapon, which this program does
+  // not have.
+  EXPECT_EQ(player.whole(server::field::kItems), 127 | 4096 | 32768 | 131072 | 262144);
+  EXPECT_EQ(player[server::field::kHealth], 100);
+  EXPECT_EQ(player[server::field::kArmorValue], 200);
+  EXPECT_EQ(player[server::field::kAmmoNails], 200);
+  EXPECT_EQ(player[server::field::kAmmoCells], 100);
+  player.set(server::field::kHealth, -7.0f);
+  EXPECT_THAT(told("give h 100"), HasSubstr("dead"));
+  EXPECT_EQ(player[server::field::kHealth], -7);
+}
+
+TEST(HostCommands, PlayersOfOneNameAreToldApart) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  for (const char* name : {"player", "Player", "player"}) {
+    const std::size_t client = served.add_client(name);
+    ASSERT_TRUE(served.run_until_playing(client)) << client;
+  }
+  const auto& players = served.client(0).state().game().players;
+  EXPECT_EQ(players[0].name, "player");
+  EXPECT_EQ(players[1].name, "Player (2)");
+  EXPECT_EQ(players[2].name, "player (3)");
+  EXPECT_THAT(answer(served, "kick \"player (3)\""), HasSubstr("removed"));
+  // A name of the greatest length leaves room for the number.
+  served.client(0).send_command("name 123456789012345");
+  served.client(1).send_command("name 123456789012345");
+  served.run(0.5);
+  EXPECT_EQ(players[0].name, "123456789012345");
+  EXPECT_EQ(players[1].name, "12345678901 (2)");
+  // Who says his own name again keeps it.
+  served.client(0).send_command("name 123456789012345");
+  served.run(0.5);
+  EXPECT_EQ(players[0].name, "123456789012345");
 }
 
 }  // namespace

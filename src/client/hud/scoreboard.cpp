@@ -60,25 +60,60 @@ void draw_frags(const Panel& panel, const Player& player, const Box& box) {
              box.y + box.height - kCharacterSide);
 }
 
+constexpr int kUpperY = 4, kLowerY = 12, kLeftX = 8;  // of what stands on the score bar
+
+// "Monsters:  3 / 21": what there is of something, and how much of it in all.
+void draw_tally(const Panel& bar, std::string_view label, int part, int whole, int y) {
+  constexpr int kCountDigits = 3;
+  fmt::memory_buffer line;  // has room in itself, where a string of that length is on the heap
+  fmt::format_to(std::back_inserter(line), "{}:{} /{}", label, right_aligned(part, kCountDigits),
+                 right_aligned(whole, kCountDigits));
+  bar.text({line.data(), line.size()}, kLeftX, y);
+}
+
+// What counts among players against one another: frags, and how many have more.
+void draw_standing(const Panel& bar, const Game& game) {
+  const std::size_t viewer = game.view_entity - std::size_t{1};
+  if (viewer >= game.players.size()) return;
+  const int frags = game.players[viewer].frags;
+  int players = 0, place = 1;
+  for (const Player& player : game.players) {
+    if (player.name.empty()) continue;
+    ++players;
+    place += player.frags > frags ? 1 : 0;
+  }
+  bar.text("Frags:", kLeftX, kUpperY);
+  bar.text(right_aligned(frags, kFragDigits), kLeftX + 6 * kCharacterSide, kUpperY);
+  draw_tally(bar, "Place", place, players, kLowerY);
+}
+
+// As much of it as so many characters hold, "..." in place of the rest.
+void draw_shortened(const Panel& bar, std::string_view text, std::size_t most_chars, int middle_x, int y) {
+  constexpr std::string_view kMissing = "...";
+  const bool fits = text.size() <= most_chars;
+  if (!fits) text = text.substr(0, most_chars - kMissing.size());
+  while (!fits && text.ends_with(' ')) text.remove_suffix(1);
+  const std::size_t chars = text.size() + (fits ? 0 : kMissing.size());
+  const int x = middle_x - static_cast<int>(chars) * kCharacterSide / 2;
+  bar.text(text, x, y);
+  if (!fits) bar.text(kMissing, x + static_cast<int>(text.size()) * kCharacterSide, y);
+}
+
 }  // namespace
 
 void draw_level_scores(const Panel& bar, const Game& game, double time_s, float opacity) {
-  constexpr int kUpperY = 4, kLowerY = 12, kLeftX = 8, kTimeX = 184;
-  constexpr int kNameMiddleX = 232, kCountDigits = 3;
+  constexpr int kTimeX = 184, kNameMiddleX = 232;
   constexpr std::size_t kMostNameChars = 20;  // up to the counts on the left
   bar.picture("scorebar", 0, 0, opacity);
-  const auto tally = [&](std::string_view label, Stat part, Stat whole, int y) {
-    fmt::memory_buffer line;  // has room in itself, where a string of that length is on the heap
-    fmt::format_to(std::back_inserter(line), "{}:{} /{}", label, right_aligned(game.stat(part), kCountDigits),
-                   right_aligned(game.stat(whole), kCountDigits));
-    bar.text({line.data(), line.size()}, kLeftX, y);
-  };
-  tally("Monsters", Stat::kMonsters, Stat::kTotalMonsters, kUpperY);
-  tally("Secrets ", Stat::kSecrets, Stat::kTotalSecrets, kLowerY);
+  if (game.deathmatch) {
+    draw_standing(bar, game);
+  } else {
+    draw_tally(bar, "Monsters", game.stat(Stat::kMonsters), game.stat(Stat::kTotalMonsters), kUpperY);
+    draw_tally(bar, "Secrets ", game.stat(Stat::kSecrets), game.stat(Stat::kTotalSecrets), kLowerY);
+  }
   const int seconds = static_cast<int>(std::clamp(time_s, 0.0, 59999.0));
   bar.text(fmt::format("Time :{:3}:{:02}", seconds / 60, seconds % 60), kTimeX, kUpperY);
-  const std::string_view name = std::string_view(game.level_name).substr(0, kMostNameChars);
-  bar.text(name, kNameMiddleX - static_cast<int>(name.size()) * kCharacterSide / 2, kLowerY);
+  draw_shortened(bar, game.level_name, kMostNameChars, kNameMiddleX, kLowerY);
 }
 
 void draw_leaders(const Panel& inventory, const Game& game) {

@@ -46,8 +46,8 @@ std::unique_ptr<Row> make_save_row(const MenuContent& content, const MenuSave& s
           [&content, save] {
             return RowDetails{asked(content.save_picture, std::string_view(save.name)),
                               {or_name(save.level_title, save.name),
-                               fmt::format("{}, {} of {} monsters", minutes_and_seconds(save.time_s),
-                                           save.kills, save.monsters)}};
+                               fmt::format("{}, {} of {} monster{}", minutes_and_seconds(save.time_s),
+                                           save.kills, save.monsters, save.monsters == 1 ? "" : "s")}};
           },
       .choose = std::move(choose)});
 }

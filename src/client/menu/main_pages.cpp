@@ -77,6 +77,18 @@ std::unique_ptr<Row> make_opener(const PageContext& context, std::string label, 
       std::move(label), [context, page] { return opening(context, page); }, std::move(help));
 }
 
+PageMaker make_notice(Notice notice) {
+  return [notice = std::move(notice)](const PageContext& context) {
+    Page page;
+    page.title = notice.title;
+    page.text = notice.text;
+    page.rows.push_back(std::make_unique<ActionRow>("OK", [] { return Outcome{.leaving = Leaving::kBack}; }));
+    for (const auto& [label, helpful] : notice.pages)
+      page.rows.push_back(make_opener(context, label, helpful));
+    return page;
+  };
+}
+
 PageMaker ask(std::string question, Outcome yes) {
   return [question = std::move(question), yes = std::move(yes)](const PageContext&) {
     Page page;

@@ -115,7 +115,7 @@ std::span<const OptionLook> accessibility_options() {
       {.variable = "scr_textsize",
        .label = "Text size",
        .low = 0.5,
-       .high = 2,
+       .high = 4,
        .step = 0.1,
        .shown_factor = 100,
        .unit = "%"},

@@ -70,6 +70,7 @@ Outcome opening(const PageContext& context, MenuPage page);
 std::unique_ptr<Row> make_opener(const PageContext& context, std::string label, MenuPage page,
                                  std::string help = {});
 
+PageMaker make_notice(Notice notice);
 // A question with "Yes" and "No"; `yes` happens instead of it.
 PageMaker ask(std::string question, Outcome yes);
 // `outcome`, asked about first where it would lose something.

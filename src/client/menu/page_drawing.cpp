@@ -84,9 +84,12 @@ int PageView::draw_search(const Canvas& canvas, int top) const {
 }
 
 int PageView::draw_question(const Canvas& canvas, int top) const {
-  constexpr std::size_t kMostLines = 6;
+  // Without taking the rows' room, where there is any.
+  constexpr std::size_t kFewestLines = 6;
+  const int room = (canvas.height() - top) / kLine - static_cast<int>(page_.rows.size()) - 2;
+  const std::size_t most_lines = std::max(kFewestLines, static_cast<std::size_t>(std::max(room, 0)));
   int y = top;
-  for (const std::string& line : wrap(page_.text, characters_in(canvas.width() - 2 * kCursor), kMostLines)) {
+  for (const std::string& line : wrap(page_.text, characters_in(canvas.width() - 2 * kCursor), most_lines)) {
     canvas.text(line, kCursor, y);
     y += kLine;
   }
