@@ -18,8 +18,9 @@ add_custom_command(
   COMMENT "Textures"
   VERBATIM)
 
-# What the compiler has to say fails the build, but of boxes of supplies, b_*, that nobody can enter them.
-set(compile "\"$0\" compile \"$1\" --wad \"$2\" -o \"$3\" > \"$3.txt\" 2> \"$3.err\" && ! grep -v \"$4\" \"$3.err\" || { cat \"$3.err\"; exit 1; }")
+# What the compiler has to say fails the build, but of boxes of supplies, b_*, that nobody can enter them. --clean: a
+# .build of another version, or of a run that was killed, would be something to say.
+set(compile "\"$0\" compile --clean \"$1\" --wad \"$2\" -o \"$3\" > \"$3.txt\" 2> \"$3.err\" && ! grep -v \"$4\" \"$3.err\" || { cat \"$3.err\"; exit 1; }")
 set(note_of_boxes "no entity has a place\\|no info_player_start")
 set(install_level "cp \"$0\" \"$1\" && if test -e \"$2\"; then cp \"$2\" \"$1\"; fi")
 foreach(recipe IN LISTS map_recipes)

@@ -18,7 +18,7 @@ using base::ByteWriter;
 
 constexpr std::uint32_t kMagic = 0x444c4254;  // "TBLD"
 // To be raised when what is in the file means something else.
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 constexpr std::size_t kHashBytes = 8;
 constexpr const char* kCutOff = "build file: it ends within the {}";
 

@@ -261,6 +261,29 @@ TEST(Plans, RockLeavesOpeningsFree) {
   EXPECT_GT(bulging, 100) << "the far wall is rock";
 }
 
+TEST(Plans, WhatGoesWithATrainLeavesItsLowerCornerWhereItIs) {
+  EXPECT_EQ(error_of("  room a 0,0,0 to 256,256,128\n"
+                     "    train 64,64,0 size 64x64x16 plate\n"
+                     "      stop 64,64,0\n"
+                     "      stop 64,128,0\n"
+                     "      part 60,64,16 to 128,68,48 plate\n"),
+            "line 6: part: it reaches further west, south or down than the train's own box");
+}
+
+TEST(Plans, NobodyGetsUnderALeaningCrystalAndLightMayStandThere) {
+  const formats::Map map = map_of(
+      "  room a 0,0,0 to 256,256,128\n"
+      "    crystal 128,128 height=96 radius=8 lean=20,0\n"
+      "    light 142,128,12\n");
+  const formats::MapEntity* detail = find_class(map, "func_detail");
+  ASSERT_NE(detail, nullptr);
+  const auto is_clip = [](const formats::MapBrush& brush) { return brush.sides[0].texture == "clip"; };
+  const auto clip = std::find_if(detail->brushes.begin(), detail->brushes.end(), is_clip);
+  ASSERT_NE(clip, detail->brushes.end());
+  // Where its lean is above whoever stands on the floor.
+  EXPECT_TRUE(is_behind_all(*clip, {142, 128, 20}));
+}
+
 TEST(Plans, BrushEntitiesHaveTheirKeys) {
   const formats::Map map = map_of(
       "  room a 0,0,0 to 256,256,128\n"
@@ -271,6 +294,7 @@ TEST(Plans, BrushEntitiesHaveTheirKeys) {
       "    train 0,0,0 size 64x64x16 plate\n"
       "      stop 0,0,0 wait=2\n"
       "      stop 0,100,0\n"
+      "      part 0,0,16 to 64,4,48 plate\n"
       "    button north 64,40 size 32x32 target=gate\n");
   std::vector<std::string> doors;
   for (const formats::MapEntity& entity : map.entities)
@@ -282,6 +306,7 @@ TEST(Plans, BrushEntitiesHaveTheirKeys) {
   EXPECT_EQ(doors, (std::vector<std::string>{"180", "360"}));
   const formats::MapEntity* train = find_class(map, "func_train");
   ASSERT_NE(train, nullptr);
+  EXPECT_EQ(train->brushes.size(), 2u);
   // Around the track, from name to name, back to the first.
   std::string next(*train->fields.find("target"));
   std::vector<std::string> track;

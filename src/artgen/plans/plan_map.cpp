@@ -159,7 +159,9 @@ std::string standing_fault(const Thing& thing, const std::vector<Space>& spaces,
   std::string fault;
   if (!is_open(spaces, needs)) fault = "it reaches into the rock";
   for (const Obstacle& obstacle : obstacles)
-    if (fault.empty() && common(obstacle.bounds, needs).has_volume() && overlap(obstacle.hull, needs))
+    // Clip stops who walks, not light.
+    if (fault.empty() && (obstacle.texture != "clip" || thing.needs.has_volume()) &&
+        common(obstacle.bounds, needs).has_volume() && overlap(obstacle.hull, needs))
       fault = fmt::format("it is in what line {} puts there ({})", obstacle.line,
                           base::quotable(obstacle.texture));
   if (fault.empty()) return fault;

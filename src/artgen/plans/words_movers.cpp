@@ -120,31 +120,49 @@ struct Stop {
 
 // The train's own box is its first stop, unless the stops say otherwise; after the last it goes back to the
 // first.
-void put_train(PlanLine& line, const Box& box, const std::vector<Stop>& stops, const Looks& looks,
+void put_train(PlanLine& line, const Box& box, const std::vector<Stop>& stops, std::vector<Solid> solids,
                Plan& io_plan) {
   const std::string track = fmt::format("track{}", ++io_plan.names_given);
   const auto name_of = [&](std::size_t i) { return fmt::format("{}_{}", track, i % stops.size()); };
   formats::Entity train = entity_of(line, "func_train");
   set_key(train, "target", name_of(0));
-  put_body(std::move(train), {solid_of(line, box, looks)}, io_plan);
+  put_body(std::move(train), std::move(solids), io_plan);
   for (std::size_t i = 0; i < stops.size(); ++i)
     put_corner(line, {stops[i].low, stops[i].low + box.size()}, name_of(i), name_of(i + 1), stops[i].wait,
                io_plan);
+}
+
+// What goes with a train: walls, a load. The train's place is its lower corner, which is its first box's.
+base::Status read_part(PlanLine& part, const Box& train, std::vector<Solid>& io_solids) {
+  const Box box = part.box();
+  const Looks looks = part.looks(part.to_world(box), "metal1");
+  for (int axis = 0; axis < 3; ++axis)
+    if (box.low[axis] < train.low[axis]) {
+      part.complain("it reaches further west, south or down than the train's own box");
+      break;
+    }
+  io_solids.push_back(solid_of(part, box, looks));
+  return part.finish();
 }
 
 base::Status read_train(const RecipeLine& recipe, const Scope& scope, Plan& io_plan) {
   PlanLine line(recipe, scope);
   const Box box = line.box();
   const Looks looks = line.looks(line.to_world(box), "metal1");
+  std::vector<Solid> solids = {solid_of(line, box, looks)};
   std::vector<Stop> stops;
   for (const RecipeLine& below : recipe.below) {
     PlanLine stop(below, scope);
-    if (below.word != "stop") return recipe_error(below, "under a train stand its stops");
+    if (below.word == "part") {
+      TRY_STATUS(read_part(stop, box, solids));
+      continue;
+    }
+    if (below.word != "stop") return recipe_error(below, "under a train stand its stops and parts");
     stops.push_back({stop.place(box.low.z), stop.number("wait", 0, 0, 3600)});
     TRY_STATUS(stop.finish());
   }
   if (stops.size() < 2) line.complain("it needs two stops at least");
-  if (stops.size() >= 2) put_train(line, box, stops, looks, io_plan);
+  if (stops.size() >= 2) put_train(line, box, stops, std::move(solids), io_plan);
   return line.finish();
 }
 
@@ -155,7 +173,8 @@ base::Status read_crusher(const RecipeLine& recipe, const Scope& scope, Plan& io
   const Looks looks = line.looks(line.to_world(box), "metal1");
   const int drop = line.whole("drop", 64, 8, 4096);
   const double above = line.number("above", 1.5, 0, 60), below = line.number("below", 0.5, 0, 60);
-  put_train(line, box, {{box.low, above}, {box.low - Point(0, 0, drop), below}}, looks, io_plan);
+  put_train(line, box, {{box.low, above}, {box.low - Point(0, 0, drop), below}}, {solid_of(line, box, looks)},
+            io_plan);
   formats::Entity& train = io_plan.bodies.back().fields;
   if (!line.has("dmg")) set_key(train, "dmg", 40.0);
   if (!line.has("speed")) set_key(train, "speed", 200.0);

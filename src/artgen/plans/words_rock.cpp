@@ -104,6 +104,24 @@ base::Status read_boulder(const RecipeLine& recipe, const Scope& scope, Plan& io
   return line.finish();
 }
 
+// What keeps players out from under a leaning needle, where they would be wedged between it and the floor: an
+// upright prism of clip, higher than they jump.
+Solid guard_of(const PlanLine& line, Point foot, int radius, Point lean) {
+  constexpr int kHigh = 96, kSides = 8;
+  const Point middle = foot + Point(lean.x, lean.y, 0) / 5;
+  const double wide = radius + 0.3 * std::hypot(lean.x, lean.y);
+  std::vector<Point> corners;
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = (2 * i + 1) * std::numbers::pi / kSides;
+    const Point out(static_cast<int>(std::lround(wide * std::cos(angle))),
+                    static_cast<int>(std::lround(wide * std::sin(angle))), 0);
+    corners.push_back(middle + out);
+    corners.push_back(middle + out + Point(0, 0, kHigh));
+  }
+  const Looks looks = looks_all("clip", line.to_world(bounds_of(corners)));
+  return solid_of(line, std::move(corners), looks);
+}
+
 // A six-sided needle with a slanted tip: at its foot `radius` wide, leaning by lean= at its top.
 base::Status read_crystal(const RecipeLine& recipe, const Scope& scope, Plan& io_plan) {
   PlanLine line(recipe, scope);
@@ -127,7 +145,9 @@ base::Status read_crystal(const RecipeLine& recipe, const Scope& scope, Plan& io
   }
   corners.push_back(foot + Point(lean.x, lean.y, height));
   const Looks looks = line.looks(line.to_world(bounds_of(corners)), "crystal1");
+  const bool is_felt = line.text("as", "detail") != "ghost";
   put_solids(line, {solid_of(line, std::move(corners), looks)}, "detail", io_plan);
+  if (is_felt && lean != Point(0)) put_solids(line, {guard_of(line, foot, radius, lean)}, "detail", io_plan);
   return line.finish();
 }
 

@@ -1,5 +1,8 @@
 #include "compiler/bsp/second_tree.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace temblor::compiler {
 namespace {
 
@@ -62,6 +65,15 @@ std::vector<InnerPoint> inner_points(const Tree& tree, std::span<const LeafPorta
   return points;
 }
 
+// Whether a tree may take a plane and that of a winding for one, as far as the winding reaches, though they
+// meet at an angle: a flatter one is the same plane, given twice.
+bool nearly_in(const Winding& winding, const math::Vec3d& normal, const Plane& plane) {
+  constexpr double kNear = 0.15;  // units
+  return on_plane_for(normal, plane.normal) < kOnPlane &&
+         std::ranges::all_of(
+             winding, [&](const math::Vec3d& point) { return std::abs(plane.distance_to(point)) < kNear; });
+}
+
 // Places faces one after another.
 class FacePlacer {
  public:
@@ -73,11 +85,13 @@ class FacePlacer {
   }
 
  private:
-  void find_node(const TreeFace& face, Winding winding, std::int32_t child) {
+  // `near`: the last node on the way down in whose plane the winding nearly lies, -1 without one.
+  void find_node(const TreeFace& face, Winding winding, std::int32_t child, std::int32_t near = -1) {
     while (child >= 0) {
       const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
       const Plane& plane = planes_[node.plane];
       const math::Vec3d& outwards = planes_[face.plane].normal;
+      if (nearly_in(winding, outwards, plane)) near = child;
       const double on_plane = on_plane_for(outwards, plane.normal);
       const WindingSide side = side_of(winding, plane, on_plane);
       if (side == WindingSide::kFront || side == WindingSide::kBack) {
@@ -87,9 +101,7 @@ class FacePlacer {
       if (side == WindingSide::kOn) {
         const std::size_t facing = glm::dot(outwards, plane.normal) > 0 ? 0 : 1;
         if (node.plane == stored(face.plane)) {
-          TreeFace placed{winding, face.plane, face.surface, static_cast<std::uint32_t>(child), {}};
-          find_leafs(std::move(winding), planes_[face.plane].normal, node.children[facing], placed.leafs);
-          placed_.push_back(std::move(placed));
+          place_at(child, face.plane, face, std::move(winding));
           return;
         }
         child = node.children[facing];
@@ -98,10 +110,23 @@ class FacePlacer {
       WindingParts parts = split(winding, plane, on_plane);
       const bool in_front = !is_tiny(parts.front), behind = !is_tiny(parts.back);
       if (!in_front && !behind) return;
-      if (in_front && behind) find_node(face, std::move(parts.front), node.children[0]);
+      if (in_front && behind) find_node(face, std::move(parts.front), node.children[0], near);
       winding = std::move(behind ? parts.back : parts.front);
       child = node.children[behind ? 1 : 0];
     }
+    if (near < 0) return;
+    // What stands out from a plane by a sliver counted as lying behind it, here and not in the first tree.
+    const PlaneIndex plane = tree_.nodes[static_cast<std::size_t>(near)].plane;
+    const bool facing = glm::dot(planes_[face.plane].normal, planes_[plane].normal) > 0;
+    place_at(near, facing ? plane : turned(plane), face, std::move(winding));
+  }
+
+  void place_at(std::int32_t number, PlaneIndex plane, const TreeFace& face, Winding winding) {
+    const TreeNode& node = tree_.nodes[static_cast<std::size_t>(number)];
+    TreeFace placed{winding, plane, face.surface, static_cast<std::uint32_t>(number), {}};
+    find_leafs(std::move(winding), planes_[plane].normal, node.children[node.plane == plane ? 0 : 1],
+               placed.leafs);
+    placed_.push_back(std::move(placed));
   }
 
   void find_leafs(Winding winding, const math::Vec3d& outwards, std::int32_t child,
