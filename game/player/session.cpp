@@ -17,7 +17,7 @@ Session::Session(const SessionSetup& setup, vfs::FileSystem files)
   server_ = std::make_unique<server::Server>(server::ServerSetup{.library = library_,
                                                                  .settings = *settings_,
                                                                  .sockets = std::move(sockets),
-                                                                 .max_clients = setup.players,
+                                                                 .max_clients = setup.players + setup.bots,
                                                                  .program_file = setup.program_file,
                                                                  .print =
                                                                      [this](std::string_view text) {
@@ -37,6 +37,8 @@ base::Result<std::unique_ptr<Session>> Session::start(const SessionSetup& setup)
 base::Status Session::begin(const SessionSetup& setup) {
   TRY_STATUS(variables_.set("skill", std::to_string(setup.skill)));
   TRY_STATUS(variables_.set("coop", setup.cooperative ? "1" : "0"));
+  TRY_STATUS(variables_.set("deathmatch", setup.bots > 0 ? "1" : "0"));
+  TRY_STATUS(variables_.set("bot_fill", setup.bots > 0 ? std::to_string(setup.players + setup.bots) : "0"));
   TRY_STATUS(variables_.set("sv_cheats", setup.can_cheat ? "1" : "0"));
   TRY_STATUS(server_->start_map(setup.map));
   for (std::uint32_t i = 0; i < setup.players; ++i) {
