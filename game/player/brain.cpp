@@ -14,16 +14,14 @@ namespace {
 namespace field = server::field;
 
 constexpr double kPlanEvery_s = 2.5, kCheckRouteEvery_s = 0.4, kItemsEvery_s = 1.2;
-constexpr double kSettle_s = 0.4;
-constexpr double kForgiveAfter_s = 6, kDeadEndAfter_s = 10;
-constexpr float kReachSlack_units = 4;
+constexpr double kSettle_s = 0.4, kFightsFirst_s = 20;
+constexpr float kReachSlack_units = 4, kAim_deg = 2;
 constexpr int kAttackButton = 1, kJumpButton = 2;
-constexpr int kSecretTries = 3, kMostDeadEnds = 3;
 constexpr float kFleeHealth = 45, kFleeCost = 600;
 
 // Seconds that an act may take.
-double time_for(TaskKind kind) {
-  switch (kind) {
+double time_for(const Task& task) {
+  switch (task.kind) {
     case TaskKind::kReach:
       return 3;
     case TaskKind::kPress:
@@ -36,6 +34,8 @@ double time_for(TaskKind kind) {
       return 1.2;
     case TaskKind::kKill:
       return 4;
+    case TaskKind::kVisit:
+      return task.stay_s;
   }
   return 1;
 }
@@ -51,18 +51,19 @@ Brain::Brain(const LevelMap& map, server::Game& io_game, const BrainSetup& setup
       router_(map.graph, movers_),
       planner_(io_game, map.space, map.graph, router_),
       walker_(map.graph, map.space, movers_, router_, dice_),
-      fighter_(dice_) {}
+      fighter_(dice_, setup.fights_players) {}
 
 void Brain::begin_again(server::Game& io_game) {
   game_ = &io_game;
   movers_ = MoverWatch(map_->facts);
   router_.forgive();
   planner_ = Planner(io_game, map_->space, map_->graph, router_);
-  fighter_ = Fighter(dice_);
+  fighter_ = Fighter(dice_, setup_.fights_players);
   tried_items_.clear();
   in_vain_since_s_.reset();
   planned_.reset();
-  waypoint_ = 0;
+  waypoint_ = stop_ = 0;
+  has_pressed_ = false;
   drop_task();
 }
 
@@ -96,21 +97,24 @@ net::Move Brain::think(server::Game& io_game, std::optional<math::Vec3> view_deg
   was_alive_ = true;
   movers_.look(io_game, self.items);
   planner_.set_items(self.items);
+  planner_.set_shot_reach(Fighter::reach_for_target(self));
   Steering steering;
   steering.look_at = self.eye() + math::Vec3(math::basis_from_angles(view_.angles_deg()).forward) * 100.0f;
-  acts_fire_ = false;
+  fire_tolerance_deg_ = 0;
   pending_impulse_ = 0;
   // First onto the floor.
   if (settled_since_s_ == 0) settled_since_s_ = now_s;
   if (now_s - settled_since_s_ > kSettle_s) work(io_game, self, now_s, steering);
 
   std::optional<FightPlan> fight;
-  if (setup_.fights && !acts_fire_) fight = fighter_.fight(io_game, self, now_s);
+  if (setup_.fights && fire_tolerance_deg_ == 0) fight = fighter_.fight(io_game, self, now_s);
   float haste = 1;
   math::Vec3 wanted = angles_towards(self.eye(), steering.look_at);
   if (glm::length(math::Vec2(steering.look_at - self.eye())) < 12) wanted = view_.angles_deg();
-  if (!acts_fire_) wanted.x *= 0.6f;
-  if (acts_fire_) haste = 1.6f;
+  if (fire_tolerance_deg_ > 0)
+    haste = 1.6f;
+  else
+    wanted.x *= 0.6f;
   if (fight) {
     haste = 2.2f;
     wanted = angles_towards(self.eye(), fight->aim_at);
@@ -126,7 +130,7 @@ net::Move Brain::think(server::Game& io_game, std::optional<math::Vec3> view_deg
   net::Move move = move_for(self, steering);
   const float error = std::max(std::abs(turn_between_deg(view_.angles_deg().y, wanted.y)),
                                std::abs(turn_between_deg(view_.angles_deg().x, wanted.x)));
-  if ((fight && fight->fires && error < fight->tolerance_deg) || (acts_fire_ && error < 2))
+  if ((fight && fight->fires && error < fight->tolerance_deg) || error < fire_tolerance_deg_)
     move.buttons |= kAttackButton;
   move.impulse = static_cast<std::uint8_t>(pending_impulse_);
   return move;
@@ -188,6 +192,8 @@ bool Brain::is_done(server::Game& io_game, const Self& self) const {
       return edict[field::kHealth] <= 0;
     case TaskKind::kTouch:
       return io_game.machine().program().name_of(edict[field::kTouch]) == "nothing";
+    case TaskKind::kPress:
+      return task.stop > 0 && edict[field::kVelocity] != math::Vec3(0.0f);
     default:
       return false;
   }
@@ -215,6 +221,7 @@ void Brain::work(server::Game& io_game, const Self& self, double now_s, Steering
     if (!is_side_task_) {
       planner_.note_use(task_->entity);
       planned_.reset();
+      if (task_->stop > 0) has_pressed_ = true;
     }
     drop_task();
   }
@@ -223,10 +230,10 @@ void Brain::work(server::Game& io_game, const Self& self, double now_s, Steering
     if (route_has_shut() && self.on_ground) drop_task();
   }
   const bool can_plan = self.on_ground || self.swims();
-  if (task_ && !is_side_task_ && phase_ == Phase::kWalk && can_plan &&
+  if (task_ && task_->stop == 0 && !is_side_task_ && phase_ == Phase::kWalk && can_plan &&
       now_s - looked_for_items_s_ > kItemsEvery_s) {
     looked_for_items_s_ = now_s;
-    const int at = map_->graph.nearest(self.origin);
+    const int at = nearest_place(self);
     if (at >= 0)
       if (auto item = task_for_item(io_game, self, static_cast<std::uint32_t>(at))) {
         take_up(std::move(*item), now_s);
@@ -251,11 +258,21 @@ void Brain::work(server::Game& io_game, const Self& self, double now_s, Steering
   act(io_game, self, now_s, out);
 }
 
+bool Brain::fights_first(double now_s) {
+  if (!setup_.fights || !fighter_.has_enemy()) return false;
+  if (now_s > fights_first_until_s_ + kFightsFirst_s) fights_first_until_s_ = now_s + kFightsFirst_s;
+  return now_s < fights_first_until_s_;
+}
+
 void Brain::act(server::Game& io_game, const Self& self, double now_s, Steering& out) {
   const Task& task = *task_;
-  if (now_s - phase_since_s_ > time_for(task.kind)) {
+  // Those who stand before a target take the shots that are meant for it.
+  if (task.kind == TaskKind::kShoot && fights_first(now_s)) return drop_task();
+  if (now_s - phase_since_s_ > time_for(task)) {
     if (is_side_task_)
       ++tried_items_[static_cast<std::uint32_t>(task.entity)];
+    else if (task.kind == TaskKind::kVisit)
+      note_visited();
     else
       give_up_task(self);
     drop_task();
@@ -267,8 +284,9 @@ void Brain::act(server::Game& io_game, const Self& self, double now_s, Steering&
   const float level = glm::length(math::Vec2(way));
   out.look_at = middle;
   if (task.look != math::Vec3(0.0f)) out.look_at = self.eye() + task.look * 200.0f;
+  if (task.kind == TaskKind::kVisit) return visit(self, now_s, out);
   if (task.kind == TaskKind::kShoot) {
-    acts_fire_ = true;
+    fire_tolerance_deg_ = kAim_deg;
     pending_impulse_ = Fighter::impulse_for_target(self, glm::distance(self.eye(), middle));
     return;
   }
@@ -277,135 +295,6 @@ void Brain::act(server::Game& io_game, const Self& self, double now_s, Steering&
     out.velocity = math::Vec3(way.x, way.y, 0) * (std::min(320.0f, 60 + level * 6) / level);
   if (self.swims()) out.velocity.z = std::clamp(way.z * 6, -300.0f, 300.0f);
   out.is_free = false;
-}
-
-void Brain::give_up_task(const Self& self) {
-  planner_.note_vain(task_->entity, self.origin);
-  planned_.reset();
-}
-
-std::vector<bool> Brain::premises(int items) const {
-  std::vector<bool> premises;
-  for (std::size_t i = 0; i < map_->facts.movers.size(); ++i)
-    for (int state = 0; state < map_->facts.movers[i].states; ++state)
-      premises.push_back(movers_.access(static_cast<int>(i), state) >= Access::kLocked);
-  for (int bit = 0; bit < 24; ++bit) premises.push_back((items >> bit & 1) != 0 && bit >= 17 && bit <= 18);
-  return premises;
-}
-
-std::optional<Task> Brain::interrupted_task(std::uint32_t at) {
-  std::optional<Route> route = router_.find(at, planned_->goals);
-  if (!route) return std::nullopt;
-  Task task = *planned_;
-  task.route = std::move(*route);
-  return task;
-}
-
-void Brain::find_work(server::Game&, const Self& self, double now_s) {
-  planned_s_ = now_s;
-  is_side_task_ = false;
-  const int at = map_->graph.nearest(self.origin);
-  std::optional<Task> task;
-  const std::vector<bool> premises = this->premises(self.items);
-  if (planned_ && at >= 0 && premises == planned_on_) task = interrupted_task(static_cast<std::uint32_t>(at));
-  if (!task && at >= 0) {
-    task = next_task(static_cast<std::uint32_t>(at));
-    planned_ = task;
-    planned_on_ = premises;
-  }
-  if (task) {
-    in_vain_since_s_.reset();
-    take_up(std::move(*task), now_s);
-    return;
-  }
-  if (!in_vain_since_s_) in_vain_since_s_ = now_s;
-  if (now_s - *in_vain_since_s_ > kForgiveAfter_s) router_.forgive();
-  if (now_s - *in_vain_since_s_ > kDeadEndAfter_s && dead_ends_ < kMostDeadEnds) {
-    ++dead_ends_;
-    const math::Vec3 o = self.origin;
-    complain(fmt::format("a dead end at {:.0f} {:.0f} {:.0f}: began again", o.x, o.y, o.z));
-    in_vain_since_s_ = now_s;
-    wants_to_begin_again_ = true;
-  }
-  if (now_s - *in_vain_since_s_ > setup_.patience_s && !has_given_up_) {
-    has_given_up_ = true;
-    const math::Vec3 o = self.origin;
-    if (at < 0)
-      complain(fmt::format("stands at {:.0f} {:.0f} {:.0f}, where nobody should get", o.x, o.y, o.z));
-    complain(fmt::format("gave up at {:.0f} {:.0f} {:.0f}", o.x, o.y, o.z));
-    for (const std::string& reason : planner_.why_not()) complain(reason);
-  }
-}
-
-std::optional<Task> Brain::next_task(std::uint32_t at) {
-  if (auto task = task_for_waypoint(at)) return task;
-  if (setup_.visits_secrets) {
-    if (auto task = task_for_secret(at)) return task;
-    if (waits_for_secret_) return std::nullopt;
-  }
-  return task_for_exit(at);
-}
-
-std::optional<Task> Brain::task_for_waypoint(std::uint32_t at) {
-  while (waypoint_ < setup_.waypoints.size()) {
-    const math::Vec3& to = setup_.waypoints[waypoint_];
-    const int goal = map_->graph.nearest(to, 96);
-    Task task{.kind = TaskKind::kTouch, .describe = fmt::format("waypoint {}", waypoint_ + 1)};
-    if (goal >= 0) task.goals = {static_cast<std::uint32_t>(goal)};
-    const bool is_there = goal >= 0 && glm::distance(map_->graph.place(at).at, to) < 72;
-    std::optional<Task> planned = is_there ? std::nullopt : planner_.plan(at, std::move(task));
-    if (planned) return planned;
-    if (!is_there)
-      complain(fmt::format("waypoint {} at {:.0f} {:.0f} {:.0f} cannot be reached", waypoint_ + 1, to.x, to.y,
-                           to.z));
-    ++waypoint_;
-  }
-  return std::nullopt;
-}
-
-std::optional<Task> Brain::task_for_secret(std::uint32_t at) {
-  std::optional<Task> best;
-  waits_for_secret_ = false;
-  for (const vm::EntityIndex secret : map_->facts.secrets) {
-    const auto number = static_cast<std::uint32_t>(secret);
-    if (hopeless_secrets_.contains(number) || !server::is_there(game_->world(), secret) ||
-        class_name(*game_, secret) != "trigger_secret")
-      continue;
-    const server::Edict edict = game_->world().edicts[secret];
-    if (edict.solid() != server::Solid::kTrigger ||
-        game_->machine().program().name_of(edict[field::kTouch]) == "nothing")
-      continue;
-    std::optional<Task> task = planner_.plan(at, planner_.task_for(TaskKind::kTouch, secret));
-    // Something on the way may be moving just now.
-    if (!task && ++vain_secrets_[number] < kSecretTries) {
-      waits_for_secret_ = true;
-      continue;
-    }
-    if (!task || planner_.uses(secret) > kSecretTries) {
-      hopeless_secrets_.insert(number);
-      complain(fmt::format("secret not reached: {}", player::describe(*game_, secret)));
-      for (const std::string& reason : planner_.why_not()) complain("  " + reason);
-      continue;
-    }
-    if (!best || task->route.cost < best->route.cost) best = std::move(task);
-  }
-  return best;
-}
-
-std::optional<Task> Brain::task_for_exit(std::uint32_t at) {
-  std::optional<Task> best;
-  bool has_exit = false;
-  for (const Trigger& trigger : map_->facts.triggers) {
-    if (trigger.kind != TriggerKind::kExit) continue;
-    if (!setup_.exit_map.empty() && trigger.map != setup_.exit_map) continue;
-    has_exit = true;
-    std::optional<Task> task = planner_.plan(at, planner_.task_for_exit(trigger));
-    if (task && (!best || task->route.cost < best->route.cost)) best = std::move(task);
-  }
-  if (!has_exit)
-    complain(setup_.exit_map.empty() ? "the level has no trigger_changelevel"
-                                     : fmt::format("no trigger_changelevel leads to {}", setup_.exit_map));
-  return best;
 }
 
 }  // namespace temblor::player

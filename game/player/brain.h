@@ -1,6 +1,7 @@
 // A player: from what he knows and sees to one move a tick.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <set>
 #include <string>
@@ -22,6 +23,9 @@ struct BrainSetup {
   std::size_t slot = 0;
   bool visits_secrets = false;
   bool fights = true;
+  bool fights_players = false;          // a deathmatch
+  bool visits_stops = false;            // of the level, before anything else but waypoints
+  bool roams = false;                   // from item to item, for ever; no exit
   std::vector<math::Vec3> waypoints{};  // visited in order before anything else
   std::string exit_map{};               // of several exits the one that leads there
   double patience_s = 20;               // that a goal may be out of reach
@@ -57,6 +61,11 @@ class Brain {
   // What a plan rests upon: which movers are locked, and the keys.
   std::vector<bool> premises(int items) const;
   std::optional<Task> task_for_waypoint(std::uint32_t at);
+  std::optional<Task> task_for_stop(std::uint32_t at);
+  std::optional<Task> task_for_button(std::uint32_t at, const Stop& stop);
+  void note_visited();
+  void visit(const Self& self, double now_s, Steering& out);
+  std::optional<Task> task_for_roaming(std::uint32_t at);
   std::optional<Task> task_for_secret(std::uint32_t at);
   std::optional<Task> task_for_exit(std::uint32_t at);
   std::optional<Task> task_for_item(server::Game& io_game, const Self& self, std::uint32_t at);
@@ -69,6 +78,8 @@ class Brain {
   bool route_has_shut() const;
   void work(server::Game& io_game, const Self& self, double now_s, Steering& out);
   void act(server::Game& io_game, const Self& self, double now_s, Steering& out);
+  int nearest_place(const Self& self) const;
+  bool fights_first(double now_s);
   void give_up_task(const Self& self);
   void find_work(server::Game& io_game, const Self& self, double now_s);
   net::Move move_for(const Self& self, const Steering& steering);
@@ -92,15 +103,18 @@ class Brain {
   Phase phase_ = Phase::kWalk;
   double phase_since_s_ = 0, looked_for_items_s_ = 0, planned_s_ = -10, checked_route_s_ = 0;
   std::optional<double> in_vain_since_s_;
-  double settled_since_s_ = 0;
+  double settled_since_s_ = 0, fights_first_until_s_ = -100;
   std::set<std::uint32_t> hopeless_secrets_;
   std::map<std::uint32_t, int> vain_secrets_;  // how often there was no way to one
   bool waits_for_secret_ = false, wants_to_begin_again_ = false;
   int dead_ends_ = 0;
   std::map<std::uint32_t, int> tried_items_;
-  std::size_t waypoint_ = 0;
+  std::size_t waypoint_ = 0, stop_ = 0;
+  bool has_pressed_ = false;              // what this stop asks for
+  std::deque<std::uint32_t> was_lately_;  // items, on his rounds
   std::vector<std::string> complaints_;
-  bool has_given_up_ = false, was_alive_ = true, jumped_ = false, acts_fire_ = false;
+  bool has_given_up_ = false, was_alive_ = true, jumped_ = false;
+  float fire_tolerance_deg_ = 0;  // what he does wants a shot; 0: none
   int pending_impulse_ = 0;
   std::vector<std::string> deaths_;
   std::uint64_t tick_ = 0;

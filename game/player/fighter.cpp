@@ -19,6 +19,7 @@ constexpr float kStrafeSpeed = 320, kAxeFight_units = 110;
 constexpr float kProbe_units = 56;
 constexpr float kTooClose_units = 190, kFarForShot_units = 480;
 constexpr double kWeaponPause_s = 0.5, kMotion_s = 0.2;
+constexpr float kSameFloor_units = 48;
 
 struct Weapon {
   int bit = 0, impulse = 0;
@@ -27,10 +28,12 @@ struct Weapon {
   float nearest = 0, farthest = 0;  // units
   float missile_speed = 0;          // 0: at once
   bool bursts = false;
+  bool rolls = false;  // along the floor
 };
 
 // The best first.
-constexpr std::array<Weapon, 8> kWeapons = {{
+constexpr std::array<Weapon, 9> kWeapons = {{
+    {128, 13, &Self::cells, 5, 90, 420, 640, false, true},
     {64, 8, &Self::cells, 4, 0, 560, 0, false},
     {8, 5, &Self::nails, 8, 0, 900, 1000, false},
     {32, 7, &Self::rockets, 1, 190, 1200, 1000, true},
@@ -41,19 +44,23 @@ constexpr std::array<Weapon, 8> kWeapons = {{
     {4096, 1, nullptr, 0, 0, 1200, 0, false},
 }};
 
+// For what does not fight back, in this order.
+constexpr std::array<int, 5> kPlain = {1, 4, 8, 2, 64};
+constexpr float kAxeReach_units = 52;
+
 bool can_use(const Self& self, const Weapon& weapon) {
   if ((self.items & weapon.bit) == 0) return false;
   if (weapon.bit == 64 && self.water_level > 1) return false;
   return weapon.ammunition == nullptr || self.*weapon.ammunition >= weapon.needs;
 }
 
-const Weapon& choose_weapon(const Self& self, float distance, bool only_bursts) {
+const Weapon& choose_weapon(const Self& self, float distance, bool only_bursts, bool can_roll) {
   for (const Weapon& weapon : kWeapons)
     if (can_use(self, weapon) && distance >= weapon.nearest && distance <= weapon.farthest &&
-        (!only_bursts || weapon.bursts))
+        (!only_bursts || weapon.bursts) && (!weapon.rolls || can_roll))
       return weapon;
   for (const Weapon& weapon : kWeapons)
-    if (can_use(self, weapon) && !weapon.bursts) return weapon;
+    if (can_use(self, weapon) && !weapon.bursts && !weapon.rolls) return weapon;
   return kWeapons.back();
 }
 
@@ -90,16 +97,6 @@ bool is_explosive(server::Game& io_game, const server::Edict& edict) {
   return edict[field::kTakeDamage] != 0 && class_name(io_game, edict.index()).starts_with("misc_explobox");
 }
 
-// Neither fellow players nor what would burst beside him are to be hit.
-bool is_shot_safe(server::Game& io_game, const Self& self, const math::Vec3& to) {
-  const server::EntityTrace trace = server::trace_move(io_game.world(), self.eye(), {0, 0, 0}, {0, 0, 0}, to,
-                                                       server::MoveKind::kNormal, self.entity);
-  if (!trace.hit || trace.entity == vm::kWorld) return true;
-  if (io_game.world().edicts.is_client(trace.entity)) return false;
-  const server::Edict edict = io_game.world().edicts[trace.entity];
-  return !is_explosive(io_game, edict) || glm::distance(middle(edict), self.origin) > kBlast_units;
-}
-
 // Away from boxes that may burst; 0: there are none near.
 math::Vec3 away_from_explosives(server::Game& io_game, const Self& self) {
   server::GameWorld& world = io_game.world();
@@ -121,32 +118,76 @@ math::Vec3 turned(const math::Vec3& v, float radians) {
 
 }  // namespace
 
+int weapon_bit_of(std::string_view classname) {
+  static constexpr std::array<std::pair<std::string_view, int>, 7> kBits = {{{"weapon_supershotgun", 2},
+                                                                             {"weapon_nailgun", 4},
+                                                                             {"weapon_supernailgun", 8},
+                                                                             {"weapon_grenadelauncher", 16},
+                                                                             {"weapon_rocketlauncher", 32},
+                                                                             {"weapon_lightning", 64},
+                                                                             {"weapon_tremor", 128}}};
+  for (const auto& [weapon, bit] : kBits)
+    if (weapon == classname) return bit;
+  return 0;
+}
+
+// Neither fellow players nor what would burst beside him are to be hit.
+bool Fighter::is_shot_safe(server::Game& io_game, const Self& self, const math::Vec3& to) const {
+  const server::EntityTrace trace = server::trace_move(io_game.world(), self.eye(), {0, 0, 0}, {0, 0, 0}, to,
+                                                       server::MoveKind::kNormal, self.entity);
+  if (!trace.hit || trace.entity == vm::kWorld) return true;
+  if (io_game.world().edicts.is_client(trace.entity)) return fights_players_;
+  const server::Edict edict = io_game.world().edicts[trace.entity];
+  return !is_explosive(io_game, edict) || glm::distance(middle(edict), self.origin) > kBlast_units;
+}
+
+bool Fighter::is_foe(server::Game& io_game, const Self& self, const server::Edict& edict) const {
+  if (edict[field::kHealth] <= 0 || edict[field::kTakeDamage] == 0) return false;
+  if (io_game.world().edicts.is_client(edict.index())) return fights_players_ && edict.index() != self.entity;
+  return edict.has_flag(server::flag::kMonster);
+}
+
+// A shock wave gets to whoever stands on the same floor. Now and then, not always, he likes it.
+bool Fighter::can_roll(const Self& self, const server::Edict& enemy, double now_s) {
+  if (now_s > minded_until_s_) {
+    minded_until_s_ = now_s + dice_->between(2, 4);
+    rolls_ = dice_->unit() < 0.5f;
+  }
+  return rolls_ && self.on_ground && enemy.has_flag(server::flag::kOnGround) &&
+         std::abs(enemy[field::kOrigin].z + enemy[field::kMins].z - self.origin.z + 24) < kSameFloor_units;
+}
+
+float Fighter::reach_for_target(const Self& self) {
+  float reach = kAxeReach_units;
+  for (const int bit : kPlain)
+    for (const Weapon& weapon : kWeapons)
+      if (weapon.bit == bit && can_use(self, weapon)) reach = std::max(reach, weapon.farthest);
+  return reach;
+}
+
 int Fighter::impulse_for_target(const Self& self, float distance) {
-  static constexpr std::array<int, 5> kPlain = {1, 4, 8, 2, 64};
   if (distance < 60 && (self.items & 4096) != 0) return self.weapon == 4096 ? 0 : 1;
   for (const int bit : kPlain)
     for (const Weapon& weapon : kWeapons)
       if (weapon.bit == bit && can_use(self, weapon)) return self.weapon == bit ? 0 : weapon.impulse;
-  return 0;
+  return self.weapon == 4096 ? 0 : 1;
 }
 
 std::optional<vm::EntityIndex> Fighter::choose(server::Game& io_game, const Self& self, double now_s) {
   server::GameWorld& world = io_game.world();
   std::optional<vm::EntityIndex> best;
   float best_value = 1e9f;
-  for (std::uint32_t i = 1 + world.edicts.client_count(); i < world.edicts.count(); ++i) {
+  for (std::uint32_t i = 1; i < world.edicts.count(); ++i) {
     const vm::EntityIndex entity{i};
     if (world.edicts.is_free(entity)) continue;
     const server::Edict edict = world.edicts[entity];
-    if (!edict.has_flag(server::flag::kMonster) || edict[field::kHealth] <= 0 ||
-        edict[field::kTakeDamage] == 0)
-      continue;
+    if (!is_foe(io_game, self, edict)) continue;
     if (const auto grudge = grudges_.find(i);
         grudge != grudges_.end() && grudge->second.ignored_until_s > now_s)
       continue;
     const math::Vec3 at = middle(edict);
     float value = glm::distance(at, self.eye());
-    const bool is_awake = world.edicts.is_client(edict[field::kEnemy]);
+    const bool is_awake = world.edicts.is_client(edict[field::kEnemy]) || world.edicts.is_client(entity);
     if (value > (is_awake ? kFarthest_units : kFarthestAsleep_units)) continue;
     if (!sees(world, self.entity, self.eye(), at)) continue;
     if (edict.has_flag(server::flag::kSwim) && self.water_level == 0) continue;  // stays in its water
@@ -237,7 +278,8 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   // What cannot be burst is only knocked down on the way.
   plan.stands_and_fights = (name != "monster_zombie" || has_bursting_weapon(self)) && self.water_level == 0 &&
                            (has_gun(self) || distance < kAxeFight_units);
-  const Weapon& wanted = choose_weapon(self, distance, name == "monster_zombie");
+  const Weapon& wanted =
+      choose_weapon(self, distance, name == "monster_zombie", can_roll(self, edict, now_s));
   if (wanted.bit != self.weapon && now_s - changed_weapon_s_ > kWeaponPause_s) {
     plan.impulse = wanted.impulse;
     changed_weapon_s_ = now_s;

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <string_view>
 
 #include "game/player/dice.h"
 #include "game/player/level_facts.h"
@@ -20,14 +21,21 @@ struct FightPlan {
   bool stands_and_fights = true;  // false: goes on, and shoots on the way
 };
 
+// Of the item bits the one of that class; 0: it is no weapon that he knows.
+int weapon_bit_of(std::string_view classname);
+
 class Fighter {
  public:
-  explicit Fighter(Dice& io_dice) : dice_(&io_dice) {}
+  Fighter(Dice& io_dice, bool fights_players) : dice_(&io_dice), fights_players_(fights_players) {}
 
   // One tick; nothing: there is nobody to fight.
   std::optional<FightPlan> fight(server::Game& io_game, const Self& self, double now_s);
+  // As of the last tick in which he fought.
+  bool has_enemy() const { return enemy_.has_value(); }
   // A weapon for something that does not fight back; 0: the one in hand will do.
   static int impulse_for_target(const Self& self, float distance);
+  // How far that gets, with what he has left.
+  static float reach_for_target(const Self& self);
 
  private:
   struct Grudge {
@@ -41,7 +49,14 @@ class Fighter {
   math::Vec3 choose_way(server::Game& io_game, const Self& self, const math::Vec3& enemy, bool is_melee,
                         double now_s);
 
+  bool is_foe(server::Game& io_game, const Self& self, const server::Edict& edict) const;
+  bool can_roll(const Self& self, const server::Edict& enemy, double now_s);
+  bool is_shot_safe(server::Game& io_game, const Self& self, const math::Vec3& to) const;
+
   Dice* dice_;
+  bool fights_players_;
+  bool rolls_ = false;  // has a mind to use the weapon whose shots roll along the floor
+  double minded_until_s_ = 0;
   std::map<std::uint32_t, Grudge> grudges_;
   std::optional<vm::EntityIndex> enemy_;
   double chosen_s_ = 0;

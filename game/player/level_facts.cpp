@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
+#include <charconv>
 
 namespace temblor::player {
 namespace {
@@ -27,6 +27,8 @@ class Reader {
     for (std::uint32_t i = 1 + world_.edicts.client_count(); i < world_.edicts.count(); ++i)
       if (!world_.edicts.is_free(vm::EntityIndex{i})) read(world_.edicts[vm::EntityIndex{i}]);
     join_doors();
+    std::sort(facts_.stops.begin(), facts_.stops.end(),
+              [](const Stop& a, const Stop& b) { return a.number < b.number; });
     return std::move(facts_);
   }
 
@@ -56,6 +58,8 @@ class Reader {
       read_trigger(edict, name);
     else if (name.starts_with("item_") || name.starts_with("weapon_"))
       add_activator(edict, ActivatorKind::kTake);
+    else if (name == "info_notnull")
+      read_stop(edict);
     else if (edict.has_flag(server::flag::kMonster))
       add_activator(edict, ActivatorKind::kKill);
     else
@@ -224,6 +228,22 @@ class Reader {
     if (kind != ActivatorKind::kTouch) activator.look = math::Vec3(0.0f);
     if (activator.target.empty() && activator.kill_target.empty()) return;
     facts_.activators.push_back(std::move(activator));
+  }
+
+  void read_stop(const Edict& edict) {
+    static constexpr std::string_view kName = "stop";
+    const std::string name = text(edict, field::kTargetName);
+    Stop stop;
+    if (!name.starts_with(kName) ||
+        std::from_chars(name.data() + kName.size(), name.data() + name.size(), stop.number).ec != std::errc())
+      return;
+    stop.at = edict[field::kOrigin];
+    stop.look_deg = fields_.vector(edict, "mangle");
+    if (stop.look_deg == math::Vec3(0.0f)) stop.look_deg = edict[field::kAngles];
+    stop.stay_s = fields_.number(edict, "wait");
+    stop.impulse = static_cast<int>(edict[field::kImpulse]);
+    stop.presses = text(edict, field::kTarget);
+    facts_.stops.push_back(std::move(stop));
   }
 
   void read_obstacle(const Edict& edict) {

@@ -85,6 +85,16 @@ struct Relay {
   std::string target{}, kill_target{}, target_name{};
 };
 
+// Where a visitor stops, in order of the numbers: info_notnull named stop1, stop2, ...
+struct Stop {
+  int number = 0;
+  math::Vec3 at{0.0f};
+  math::Vec3 look_deg{0.0f};  // pitch (down is positive) and yaw: its mangle, or its angle
+  double stay_s = 0;          // its wait
+  int impulse = 0;            // of the weapon that is fired there; 0: none
+  std::string presses{};      // its target: the button with the same target is pressed first
+};
+
 // What stands in the way and never moves.
 struct StillModel {
   world::ModelIndex model{};
@@ -99,6 +109,7 @@ struct LevelFacts {
   std::vector<StillModel> still_models;
   std::vector<math::Bounds> still_boxes;
   std::vector<vm::EntityIndex> secrets;  // the triggers' entities
+  std::vector<Stop> stops;
 
   // The mover that has this entity among its parts; -1: none.
   int mover_of(vm::EntityIndex entity) const;

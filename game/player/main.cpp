@@ -34,6 +34,8 @@ int run(int argument_count, char** arguments) {
   program.add_option("--skill", setup.session.skill, "0 to 3")->check(CLI::Range(0, 3));
   program.add_option("--seed", setup.session.seed, "Of all chance");
   program.add_option("--coop", players, "So many players together")->check(CLI::Range(1, 16));
+  program.add_option("--deathmatch", setup.session.bots, "Against so many bots, until the limit")
+      ->check(CLI::Range(1, 15));
   program.add_option("--limit", setup.limit_s, "Seconds of the game's time")->capture_default_str();
   program.add_option("--exit", setup.exit_map, "Of several exits the one to this level");
   program.add_option("--waypoints", waypoints, "Places to visit first: X Y Z X Y Z ...");
@@ -41,6 +43,7 @@ int run(int argument_count, char** arguments) {
   program.add_option("--report", report_file, "Writes what was found as JSON");
   program.add_option("--places", place_file, "Writes every place that a player can get to, as text");
   program.add_flag("--secrets", setup.visits_secrets, "Visits every secret");
+  program.add_flag("--tour", setup.visits_stops, "Visits the stops that the level names, first");
   program.add_flag("--god", setup.has_god, "Cannot be hurt");
   program.add_flag("--peaceful", is_peaceful, "Does not fight");
   program.add_flag("--verbose", is_verbose, "Tells what it does");
@@ -69,7 +72,8 @@ int run(int argument_count, char** arguments) {
   if (!report_file.empty() && !write(report_file, base::as_bytes(json))) return 2;
   if (!place_file.empty() && !write(place_file, base::as_bytes(report->place_list))) return 2;
   if (!record.empty() && !write(record, report->recording)) return 2;
-  return report->reached_exit ? 0 : 1;
+  const bool is_won = setup.session.bots > 0 ? report->errors.empty() : report->reached_exit;
+  return is_won ? 0 : 1;
 }
 
 }  // namespace

@@ -48,11 +48,15 @@ void MonsterWatch::look(server::Game& io_game, double now_s) {
     if (world.edicts.is_free(entity)) continue;
     const server::Edict edict = world.edicts[entity];
     if (!edict.has_flag(server::flag::kMonster) || edict[field::kHealth] <= 0) continue;
-    if (edict.solid() == server::Solid::kNot) continue;
     auto [found, is_new] = watched_.try_emplace(i);
     Watched& watched = found->second;
     const math::Vec3 at = edict[field::kOrigin];
     if (is_new) watched = {.name = describe(io_game, entity), .at = at, .since_s = now_s};
+    // Lies, and will stand up again.
+    if (edict.solid() == server::Solid::kNot) {
+      watched.since_s = now_s;
+      continue;
+    }
     watched.stuck_looks = is_in_wall(world, edict) ? watched.stuck_looks + 1 : 0;
     if (watched.stuck_looks == kStuckLooks)
       stuck_.insert(fmt::format("{}, now at {:.0f} {:.0f} {:.0f}", watched.name, at.x, at.y, at.z));

@@ -31,7 +31,8 @@ std::size_t NavGraph::ways() const {
   return count;
 }
 
-int NavGraph::nearest(const math::Vec3& at, float within_units) const {
+int NavGraph::nearest(const math::Vec3& at, float within_units,
+                      base::FunctionRef<bool(const Place&)> is_there) const {
   const int reach = static_cast<int>(std::ceil(within_units / kCell_units));
   int best = -1;
   float best_distance = within_units;
@@ -43,7 +44,7 @@ int NavGraph::nearest(const math::Vec3& at, float within_units) const {
         const math::Vec3 way = places_[i].at - at;
         // Another floor is farther than it looks.
         const float distance = std::max(glm::length(math::Vec2(way)), 1.5f * std::abs(way.z));
-        if (distance < best_distance) {
+        if (distance < best_distance && is_there(places_[i])) {
           best_distance = distance;
           best = static_cast<int>(i);
         }

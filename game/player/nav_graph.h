@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/function_ref.h"
 #include "game/player/nav_space.h"
 
 namespace temblor::player {
@@ -54,7 +55,11 @@ class NavGraph {
   const Place& place(std::uint32_t i) const { return places_[i]; }
   std::size_t ways() const;
   // The place that somebody is at; -1: none is near.
-  int nearest(const math::Vec3& at, float within_units = 64) const;
+  int nearest(const math::Vec3& at, float within_units = 64) const {
+    return nearest(at, within_units, [](const Place&) { return true; });
+  }
+  // Only among those that are there now: a place on a lift that is elsewhere is none.
+  int nearest(const math::Vec3& at, float within_units, base::FunctionRef<bool(const Place&)> is_there) const;
   // Places where a player's box, grown by `grown`, meets that box.
   std::vector<std::uint32_t> touching(const math::Bounds& box, float grown) const;
 

@@ -40,6 +40,7 @@ Task Planner::task_for(TaskKind kind, vm::EntityIndex entity) {
   switch (kind) {
     case TaskKind::kReach:
     case TaskKind::kTouch:
+    case TaskKind::kVisit:
       task.goals = graph_->touching(task.box, 0);
       break;
     case TaskKind::kPress:
@@ -56,7 +57,11 @@ Task Planner::task_for(TaskKind kind, vm::EntityIndex entity) {
     case TaskKind::kShoot: {
       auto& places = shooting_places_[static_cast<std::uint32_t>(entity)];
       if (places.empty()) places = places_to_shoot(task.box);
-      task.goals = places;
+      for (const std::uint32_t place : places) {
+        const math::Vec3 eye = graph_->place(place).at + kEyes;
+        if (glm::distance(eye, glm::clamp(eye, task.box.mins, task.box.maxs)) < shot_reach_units_)
+          task.goals.push_back(place);
+      }
       break;
     }
   }

@@ -14,7 +14,7 @@
 
 namespace temblor::player {
 
-enum class TaskKind { kReach, kPress, kShoot, kTouch, kTake, kKill };
+enum class TaskKind { kReach, kPress, kShoot, kTouch, kTake, kKill, kVisit };
 
 struct Task {
   TaskKind kind = TaskKind::kReach;
@@ -22,6 +22,9 @@ struct Task {
   math::Bounds box{};
   math::Vec3 look{0.0f};  // has to be looked at there; 0: anywhere
   int opens = -1;         // the mover that this is to open
+  int stop = 0;           // of a tour, for which that is; 0: none
+  double stay_s = 0;      // visits: so long
+  int impulse = 0;        // visits: fires with that weapon meanwhile; 0: does not
   std::string describe{};
   std::vector<std::uint32_t> goals{};
   Route route{};
@@ -34,6 +37,8 @@ class Planner {
 
   // What the player carries: keys.
   void set_items(int items) { items_ = items; }
+  // How far the shot goes that he would spend on a target.
+  void set_shot_reach(float reach_units) { shot_reach_units_ = reach_units; }
 
   // The next thing to do from there; nothing: it cannot be reached, see why_not().
   std::optional<Task> plan(std::uint32_t from, Task goal);
@@ -63,6 +68,7 @@ class Planner {
   const NavGraph* graph_;
   Router* router_;
   int items_ = 0;
+  float shot_reach_units_ = 900;
   std::map<std::uint32_t, int> uses_;
   std::map<std::uint32_t, std::vector<math::Vec3>> vain_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> shooting_places_;

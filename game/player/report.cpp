@@ -9,6 +9,7 @@ namespace temblor::player {
 std::string as_json(const RunReport& report) {
   const nlohmann::json json = {{"reached_exit", report.reached_exit},
                                {"exit", report.exit},
+                               {"frags", report.frags},
                                {"time_s", report.time_s},
                                {"kills", report.kills},
                                {"monsters", report.monsters},
@@ -27,11 +28,11 @@ std::string as_json(const RunReport& report) {
 }
 
 std::string as_text(const RunReport& report) {
-  std::string text =
-      fmt::format("{} after {:.1f} s, {} of {} monsters, {} of {} secrets, {} deaths; {} places, {} ways\n",
-                  report.reached_exit ? fmt::format("exit to {} reached", report.exit) : "NO EXIT",
-                  report.time_s, report.kills, report.monsters, report.found_secrets, report.secrets,
-                  report.deaths.size(), report.places, report.ways);
+  std::string text = fmt::format(
+      "{} after {:.1f} s, {} of {} monsters, {} of {} secrets, {} frags, {} deaths; {} places, {} ways\n",
+      report.reached_exit ? fmt::format("exit to {} reached", report.exit) : "NO EXIT", report.time_s,
+      report.kills, report.monsters, report.found_secrets, report.secrets, report.frags, report.deaths.size(),
+      report.places, report.ways);
   const auto add = [&](const char* what, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) text += fmt::format("  {}: {}\n", what, line);
   };

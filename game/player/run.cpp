@@ -48,6 +48,9 @@ class Run {
                                                            .slot = session_->slot_of(i),
                                                            .visits_secrets = setup_.visits_secrets,
                                                            .fights = setup_.fights,
+                                                           .fights_players = is_deathmatch(),
+                                                           .visits_stops = setup_.visits_stops,
+                                                           .roams = is_deathmatch(),
                                                            .waypoints = setup_.waypoints,
                                                            .exit_map = setup_.exit_map}));
   }
@@ -68,6 +71,7 @@ class Run {
     return report_;
   }
 
+  bool is_deathmatch() const { return setup_.session.bots > 0; }
   double played_s() const { return session_->now_s() - began_s_; }
 
   void step() { session_->step(moves_); }
@@ -110,6 +114,7 @@ class Run {
         return;
       step();
     }
+    if (is_deathmatch()) return;
     report_.complaints.push_back(fmt::format("no exit was reached in {:.0f} s", setup_.limit_s));
     for (const auto& brain : brains_) report_.complaints.push_back(brain->describe());
   }
@@ -168,6 +173,7 @@ class Run {
     report_.monsters = whole(server::global::kTotalMonsters);
     report_.found_secrets = whole(server::global::kFoundSecrets);
     report_.secrets = whole(server::global::kTotalSecrets);
+    report_.frags = static_cast<int>(session_->game().player(session_->slot_of(0))[server::field::kFrags]);
   }
 
   void finish() {

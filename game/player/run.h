@@ -17,6 +17,7 @@ struct RunSetup {
   SessionSetup session;
   bool has_god = false;
   bool visits_secrets = false;
+  bool visits_stops = false;  // that the level names for visitors, first
   bool fights = true;
   bool records = false;
   double limit_s = 600;  // of the game's time
@@ -31,6 +32,7 @@ struct RunReport {
   std::string exit;  // the level that it leads to
   double time_s = 0;
   int kills = 0, monsters = 0, found_secrets = 0, secrets = 0;
+  int frags = 0;  // the first player's
   std::vector<std::string> deaths;
   std::vector<std::string> complaints;       // why it ended without an exit; secrets that were not reached
   std::vector<std::string> stuck_monsters;   // in walls
@@ -44,6 +46,7 @@ struct RunReport {
   base::ByteVector recording;
 };
 
+// A deathmatch (setup.session.bots) has no exit: it is played until the limit, from item to item.
 // Errors are those of files; a level that cannot be played to its end is a report.
 base::Result<RunReport> play_level(const RunSetup& setup);
 

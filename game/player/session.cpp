@@ -5,7 +5,7 @@
 namespace temblor::player {
 namespace {
 
-constexpr double kLongestJoin_s = 10;
+constexpr double kLongestJoin_s = 10, kBotsComeFirst_s = 20;
 constexpr std::size_t kMaxConsoleBytes = 1 << 20;
 
 }  // namespace
@@ -17,7 +17,7 @@ Session::Session(const SessionSetup& setup, vfs::FileSystem files)
   server_ = std::make_unique<server::Server>(server::ServerSetup{.library = library_,
                                                                  .settings = *settings_,
                                                                  .sockets = std::move(sockets),
-                                                                 .max_clients = setup.players,
+                                                                 .max_clients = setup.players + setup.bots,
                                                                  .program_file = setup.program_file,
                                                                  .print =
                                                                      [this](std::string_view text) {
@@ -37,8 +37,15 @@ base::Result<std::unique_ptr<Session>> Session::start(const SessionSetup& setup)
 base::Status Session::begin(const SessionSetup& setup) {
   TRY_STATUS(variables_.set("skill", std::to_string(setup.skill)));
   TRY_STATUS(variables_.set("coop", setup.cooperative ? "1" : "0"));
+  TRY_STATUS(variables_.set("deathmatch", setup.bots > 0 ? "1" : "0"));
+  TRY_STATUS(variables_.set("bot_fill", std::to_string(setup.bots)));
   TRY_STATUS(variables_.set("sv_cheats", setup.can_cheat ? "1" : "0"));
   TRY_STATUS(server_->start_map(setup.map));
+  if (setup.bots > 0) {
+    // They look around in the level first.
+    for (const double until_s = now_s_ + kBotsComeFirst_s; now_s_ < until_s && has_game();) step({});
+    TRY_STATUS(variables_.set("bot_fill", std::to_string(setup.players + setup.bots)));
+  }
   for (std::uint32_t i = 0; i < setup.players; ++i) {
     clients_.push_back(std::make_unique<client::Connection>(
         network_.open(),

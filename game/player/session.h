@@ -30,6 +30,7 @@ struct SessionSetup {
   std::uint64_t seed = 1;
   std::uint32_t players = 1;
   bool cooperative = false;
+  std::uint32_t bots = 0;  // of a deathmatch, which it is with any; beside the players
   bool can_cheat = false;  // god and the like, with several players too
 };
 

@@ -1,6 +1,5 @@
 // Which items are worth a detour.
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "game/player/brain.h"
@@ -28,18 +27,6 @@ float worth_of(std::string_view name, const Self& self, int weapon_bit) {
   if (name == "item_rockets") return self.rockets < 20 ? 300.0f : self.rockets < 90 ? 80.0f : 0.0f;
   if (name == "item_cells") return self.cells < 40 ? 250.0f : self.cells < 90 ? 80.0f : 0.0f;
   if (name.starts_with("item_artifact") || name.starts_with("item_key")) return 500;
-  return 0;
-}
-
-int weapon_bit_of(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, int>, 6> kBits = {{{"weapon_supershotgun", 2},
-                                                                             {"weapon_nailgun", 4},
-                                                                             {"weapon_supernailgun", 8},
-                                                                             {"weapon_grenadelauncher", 16},
-                                                                             {"weapon_rocketlauncher", 32},
-                                                                             {"weapon_lightning", 64}}};
-  for (const auto& [weapon, bit] : kBits)
-    if (weapon == name) return bit;
   return 0;
 }
 

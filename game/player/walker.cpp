@@ -18,7 +18,7 @@ constexpr float kLookAhead_units = 160;
 constexpr double kStuck_s = 0.9, kWriggle_s = 0.35;
 constexpr float kStuck_units = 14;
 constexpr int kMostStuck = 4;
-constexpr double kLongestWay_s = 8, kLongestWait_s = 40;
+constexpr double kLongestWay_s = 8, kLongestWait_s = 40, kPatience_s = 5;
 constexpr float kRunUp_units = 88;
 constexpr float kAirBrake = 5;  // a tick takes 10/72 of the wish
 
@@ -94,6 +94,8 @@ bool Walker::is_ready(const Way& way) const {
 bool Walker::waits_for_mover(const Way& way) const {
   return std::any_of(way.demands.begin(), way.demands.end(), [&](const Demand& demand) {
     if (demand.mover < 0 || movers_->is_in(demand.mover, demand.states)) return false;
+    // What only passes by may be held up by himself.
+    if (is_impatient_ && graph_->place(way.to).mover != demand.mover) return false;
     const Mover& mover = space_->facts().movers[static_cast<std::size_t>(demand.mover)];
     // A door that shall be shut has to shut by itself, too.
     return mover.kind == MoverKind::kLift || mover.kind == MoverKind::kTrain || (demand.states & 1) != 0 ||
@@ -113,7 +115,8 @@ void Walker::advance(const Self& self, double now_s) {
   std::size_t best = index_;
   float best_distance = kNear_units;
   for (std::size_t i = index_ + 1; i <= std::min(index_ + kLookAhead, route_->ways.size()); ++i) {
-    if (!is_plain(i - 1)) break;
+    // Under a lift that is elsewhere he has not stepped onto it.
+    if (!is_plain(i - 1) || waits_for_mover(route_->ways[i - 1])) break;
     const Place& place = graph_->place(route_->places[i]);
     if (std::abs(place.at.z - self.origin.z) > kNearHeight_units) continue;
     const float distance = level_distance(place.at, self.origin);
@@ -142,6 +145,7 @@ bool Walker::is_past(const Self& self) {
 
 WalkEnd Walker::walk(server::Game& io_game, const Self& self, double now_s, Steering& out) {
   if (!route_) return WalkEnd::kLost;
+  is_impatient_ = now_s - passed_s_ > kPatience_s;
   if (index_ < route_->ways.size() && is_plain(index_)) advance(self, now_s);
   while (index_ < route_->ways.size() && !is_plain(index_) && is_past(self)) {
     ++index_;
@@ -153,8 +157,9 @@ WalkEnd Walker::walk(server::Game& io_game, const Self& self, double now_s, Stee
     out.velocity = velocity_to_stand_at(self, here);
     out.look_at = self.eye() + level_direction(self.origin, here) * 100.0f;
     if (is_there) return WalkEnd::kArrived;
-    if (is_stuck(self, now_s, false)) return lose(0);
-    return WalkEnd::kGoing;
+    if (!is_stuck(self, now_s, false)) return WalkEnd::kGoing;
+    if (index_ > 0) router_->blame(route_->places[index_ - 1], route_->places[index_], 600);
+    return lose(0);
   }
   const Way& way = route_->ways[index_];
   const bool waits = way.kind == WayKind::kRide || waits_for_mover(way);
@@ -166,6 +171,8 @@ WalkEnd Walker::walk(server::Game& io_game, const Self& self, double now_s, Stee
   if (!is_plain(index_) && was_in_air_ && !is_in_air && way.kind != WayKind::kRide &&
       way.kind != WayKind::kClimbOut)
     return lose(way.kind == WayKind::kJump || way.kind == WayKind::kHop ? 1500.0f : 300.0f);
+  // Rides need their mover.
+  if (way.kind == WayKind::kRide && has_gone_without(graph_->place(route_->places[index_]))) return lose(0);
   if (now_s - passed_s_ > (waits ? kLongestWait_s : kLongestWay_s)) return lose(3000);
 
   if (is_plain(index_))
@@ -197,6 +204,12 @@ bool Walker::is_stuck(const Self& self, double now_s, bool waits) {
   if (now_s - watched_since_s_ < kStuck_s) return false;
   watched_since_s_ = now_s;
   return true;
+}
+
+// The mover stands, and elsewhere than where the ride begins; it may wait at the ride's end for a moment.
+bool Walker::has_gone_without(const Place& from) const {
+  return from.mover >= 0 && !movers_->is_moving(from.mover) && movers_->state(from.mover) >= 0 &&
+         movers_->state(from.mover) != from.state;
 }
 
 void Walker::steer_plain(server::Game& io_game, const Self& self, Steering& out) {

@@ -48,6 +48,7 @@ class Walker {
   void steer_ride(const Self& self, const Way& way, Steering& out);
   void steer_jump(server::Game& io_game, const Self& self, const Way& way, Steering& out);
   void steer_in_air(const Self& self, const math::Vec3& landing, Steering& out) const;
+  bool has_gone_without(const Place& from) const;
   bool waits_for_mover(const Way& way) const;
   bool is_stuck(const Self& self, double now_s, bool waits);
   WalkEnd lose(float blame);
@@ -60,6 +61,7 @@ class Walker {
   std::optional<Route> route_;
   std::size_t index_ = 0;  // of the place passed last
   double passed_s_ = 0;    // when
+  bool is_impatient_ = false;
   bool was_in_air_ = false;
   bool charges_ = false;  // a jump's run-up has begun
   std::optional<math::Vec3> run_up_;

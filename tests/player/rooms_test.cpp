@@ -1,4 +1,5 @@
 // The scripted player in small rooms: each asks for one thing that levels ask for.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -61,6 +62,40 @@ TEST(PlayerInRooms, GoesThroughADoorThatOpensForWhoComes) {
       MadeRooms(hall(wall_with_opening(500), door(500, "") + exit_at_end())).play();
   EXPECT_TRUE(report.reached_exit);
   EXPECT_THAT(report.closed_doors, IsEmpty());
+}
+
+std::string stop_text(const Vec3d& at, const std::string& fields) {
+  return entity_text("info_notnull", fmt::format("\"origin\" \"{} {} {}\"\n", at.x, at.y, at.z) + fields);
+}
+
+// Both are out of the way to the exit; at the second he stays three seconds.
+TEST(PlayerInRooms, VisitsStopsInOrder) {
+  const std::string stops = stop_text({900, 40, 24}, "\"targetname\" \"stop1\"") +
+                            stop_text({80, 220, 24}, "\"targetname\" \"stop2\"\n\"wait\" \"3\"");
+  const MadeRooms rooms(hall("", stops + exit_at_end()));
+  player::RunSetup setup = rooms.setup();
+  const double straight_s = player::play_level(setup).value().time_s;
+  setup.visits_stops = true;
+  const player::RunReport report = player::play_level(setup).value();
+  EXPECT_TRUE(report.reached_exit);
+  EXPECT_THAT(report.complaints, IsEmpty());
+  // There, back and there again, at most at a run of 320 units a second.
+  EXPECT_GT(report.time_s, straight_s + 3 + 1600 / 320);
+}
+
+// The hatch that the button opens leads nowhere.
+TEST(PlayerInRooms, PressesWhatAStopAsksFor) {
+  const std::string button =
+      entity_text("func_button", "\"target\" \"hatch\"\n\"angle\" \"90\"\n\"wait\" \"-1\"",
+                  box_text({500, 240, 16}, {532, 252, 80}, "button"));
+  const std::string hatch = entity_text("func_door", "\"targetname\" \"hatch\"\n\"angle\" \"0\"",
+                                        box_text({500, 100, 220}, {564, 132, 250}, "door"));
+  const std::string stop = stop_text({300, 128, 24}, "\"targetname\" \"stop1\"\n\"target\" \"hatch\"");
+  const MadeRooms rooms(hall("", button + hatch + stop + exit_at_end()));
+  player::RunSetup setup = rooms.setup();
+  EXPECT_THAT(player::play_level(setup).value().closed_doors, ElementsAre(HasSubstr("func_door")));
+  setup.visits_stops = true;
+  EXPECT_THAT(player::play_level(setup).value().closed_doors, IsEmpty());
 }
 
 TEST(PlayerInRooms, FetchesTheKeyFirst) {
