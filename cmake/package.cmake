@@ -19,7 +19,7 @@ install(FILES packaging/temblor.desktop COMPONENT game DESTINATION "${CMAKE_INST
 install(FILES LICENSE README.md COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # Where Debian looks for it.
 install(FILES LICENSE COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright)
-install(DIRECTORY docs COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
+install(DIRECTORY docs COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.jpg")
 
 # All but the C library's, which go with the system's loader.
 install(RUNTIME_DEPENDENCY_SET libraries COMPONENT libraries DESTINATION "${library_folder}"
