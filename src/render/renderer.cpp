@@ -7,10 +7,10 @@
 
 #include "base/arena.h"
 #include "base/check.h"
+#include "render/banded_picture.h"
 #include "render/colour/colour_tables.h"
 #include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
-#include "render/opaque_picture.h"
 #include "render/screen/draw_overlay.h"
 #include "render/screen/show.h"
 #include "render/screen/tint_picture.h"
@@ -98,7 +98,7 @@ struct Renderer::State {
   Warp warp;
 
   // The last frame, for pixel_faces: it lives in the arenas until the next one.
-  int width = 0, height = 0;
+  int width = 0, height = 0, band_rows = 0;
   EdgeTable edges;
   SpanTable spans;
   DrawItems items;
@@ -117,6 +117,13 @@ struct Renderer::State {
     face_outlines = make_face_outlines(now);
     cutouts = CutoutTextures(now, colour_tables);
   }
+
+  // What has been made ready in edges, spans and items -> pixels.
+  void draw_pixels(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                   const VisibleFaces& visible, StageClock& io_clock, FrameStats& io_stats,
+                   FrameBuffer& io_frame);
+  void prepare_models(const Scene& scene, const Settings& settings, const ViewFrame& view, PixelFormat format,
+                      StageClock& io_clock, FrameStats& io_stats, BandedPicture& io_picture);
 };
 
 Renderer::Renderer(const formats::Palette& palette, const formats::Colormap& colormap)
@@ -124,6 +131,58 @@ Renderer::Renderer(const formats::Palette& palette, const formats::Colormap& col
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+void Renderer::State::prepare_models(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                                     PixelFormat format, StageClock& io_clock, FrameStats& io_stats,
+                                     BandedPicture& io_picture) {
+  io_picture.alias_models =
+      prepare_alias_models(scene, settings, view, colour_tables, format, *jobs, arena, model_arenas);
+  count_models(io_picture.alias_models, io_stats);
+  io_clock.end(Stage::kModels);
+  io_picture.sprites = place_sprites(scene, view, arena);
+  io_clock.end(Stage::kSprites);
+  io_picture.particles =
+      place_particles(scene, settings, view, band_rows, colour_tables, format, *jobs, arena);
+  io_stats.particles = static_cast<std::uint32_t>(scene.particles.size());
+  io_clock.end(Stage::kParticles);
+}
+
+void Renderer::State::draw_pixels(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                                  const VisibleFaces& visible, StageClock& io_clock, FrameStats& io_stats,
+                                  FrameBuffer& io_frame) {
+  const PixelFormat format = io_frame.format();
+  const SpanSources sources =
+      prepare_span_sources(scene, settings, view, items, colour_tables, format, skybox, arena);
+  const FrameFog fog(scene.fog, view.perspective, format, colour_tables, fog_tables, settings.vector_kernels);
+  const LateTarget late_target{spans, edges, sources, colour_tables, fog, view};
+  const LateFaces late = sort_late_faces(scene, visible, edges, spans, items, arena);
+  const std::span<const TranslucentLayer> layers =
+      sort_translucent(scene, view, visible, late.translucent, arena);
+  const std::size_t banded_layers = leading_faces(layers);
+  io_clock.end(Stage::kTranslucent);
+  const PictureTint tint(scene.tint, colour_tables, format, settings.vector_kernels);
+  const bool is_tinted_by_bands = banded_layers == layers.size() && !scene.underwater;
+  io_clock.end(Stage::kScreen);
+
+  BandedPicture picture{.world = late_target,
+                        .opaque_faces = late.opaque,
+                        .translucent_faces = late.translucent.first(banded_layers),
+                        .tint = is_tinted_by_bands ? tint : PictureTint()};
+  if (settings.fill_depth) prepare_models(scene, settings, view, format, io_clock, io_stats, picture);
+  StageTimes turns;
+  draw_banded_picture(picture, settings, *jobs, arena, job_arenas, io_frame, turns);
+  io_clock.end_in_parts(turns);
+
+  if (settings.fill_depth)
+    draw_translucent(scene, settings, layers.subspan(banded_layers), late.translucent, late_target, *jobs,
+                     arena, job_arenas, io_frame);
+  io_clock.end(Stage::kTranslucent);
+  if (scene.underwater)
+    warp.apply(scene.time_s, tint, *jobs, io_frame);
+  else if (!is_tinted_by_bands)
+    tint_picture(tint, *jobs, io_frame);
+  io_clock.end(Stage::kScreen);
+}
 
 FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuffer& io_frame) {
   CHECK(scene.level != nullptr);
@@ -135,13 +194,13 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   s.follow_level(*scene.level, io_frame);
   if (has_marks(scene) && !s.mark_look) s.mark_look.emplace(s.colour_tables);
   s.arena.reset();
-  const int width = io_frame.width(), height = io_frame.height();
-  CHECK(width >= 1 && width <= 8192 && height >= 1 && height <= 8192, "{}x{}", width, height);
-  const PixelFormat format = io_frame.format();
-  const int band_rows = choose_band_rows(settings, width, height, format);
+  s.width = io_frame.width();
+  s.height = io_frame.height();
+  CHECK(s.width >= 1 && s.width <= 8192 && s.height >= 1 && s.height <= 8192, "{}x{}", s.width, s.height);
+  s.band_rows = choose_band_rows(settings, s.width, s.height, io_frame.format());
 
   StageClock clock(stats.stages);
-  const ViewFrame view = make_view_frame(scene, width, height);
+  const ViewFrame view = make_view_frame(scene, s.width, s.height);
   clock.end(Stage::kView);
   const VisibleFaces visible =
       find_visible_faces(*scene.level, s.level_tables, view, world_opacities(scene, s.arena),
@@ -150,52 +209,17 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   s.edges = emit_edges(scene, view, visible, s.face_outlines, *s.jobs, s.arena, s.edge_arenas);
   clock.end(Stage::kEdges);
   settings.fill_depth |= needs_depth(scene, s.edges);
-  s.spans = scan_edges(s.edges, scene, view, band_rows, *s.jobs, s.arena, s.band_arenas);
+  s.spans = scan_edges(s.edges, scene, view, s.band_rows, *s.jobs, s.arena, s.band_arenas);
   clock.end(Stage::kScan);
   s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.colour_tables, s.cutouts,
-                             s.mark_look ? &*s.mark_look : nullptr, format, *s.jobs, s.arena, s.job_arenas,
-                             s.cache, stats);
+                             s.mark_look ? &*s.mark_look : nullptr, io_frame.format(), *s.jobs, s.arena,
+                             s.job_arenas, s.cache, stats);
   clock.end(Stage::kSurfaces);
-  const SpanSources sources =
-      prepare_span_sources(scene, settings, view, s.items, s.colour_tables, format, s.skybox, s.arena);
-  const FrameFog fog(scene.fog, view.perspective, format, s.colour_tables, s.fog_tables,
-                     settings.vector_kernels);
-  const LateTarget late_target{s.spans, s.edges, sources, s.colour_tables, fog, view};
-  const LateFaces late = sort_late_faces(scene, visible, s.edges, s.spans, s.items, s.arena);
-  clock.end(Stage::kTranslucent);
-  OpaquePicture opaque{late_target, late.opaque, {}, {}, {}};
-  if (settings.fill_depth) {
-    opaque.alias_models = prepare_alias_models(scene, settings, view, s.colour_tables, format, *s.jobs,
-                                               s.arena, s.model_arenas);
-    count_models(opaque.alias_models, stats);
-    clock.end(Stage::kModels);
-    opaque.sprites = place_sprites(scene, view, s.arena);
-    clock.end(Stage::kSprites);
-    opaque.particles =
-        place_particles(scene, settings, view, band_rows, s.colour_tables, format, *s.jobs, s.arena);
-    stats.particles = static_cast<std::uint32_t>(scene.particles.size());
-    clock.end(Stage::kParticles);
-  }
-  StageTimes turns;
-  draw_opaque_picture(opaque, settings, *s.jobs, s.arena, s.job_arenas, io_frame, turns);
-  clock.end_in_parts(turns);
-
-  if (settings.fill_depth)
-    draw_translucent(scene, settings, visible, late.translucent, late_target, *s.jobs, s.arena, s.job_arenas,
-                     io_frame);
-  clock.end(Stage::kTranslucent);
-  const PictureTint tint(scene.tint, s.colour_tables, format, settings.vector_kernels);
-  if (scene.underwater)
-    s.warp.apply(scene.time_s, tint, *s.jobs, io_frame);
-  else
-    tint_picture(tint, *s.jobs, io_frame);
-  clock.end(Stage::kScreen);
+  s.draw_pixels(scene, settings, view, visible, clock, stats, io_frame);
 
   if (settings.show != Show::kPicture)
     draw_shown(settings.show, {*scene.level, view, s.edges, s.spans, s.items}, s.colour_tables.palette,
                io_frame);
-  s.width = width;
-  s.height = height;
   stats.faces_in_pvs = visible.faces_in_pvs;
   stats.faces_drawn = static_cast<std::uint32_t>(s.edges.surfaces.size() - 1);
   stats.edges = static_cast<std::uint32_t>(s.edges.edges.size());

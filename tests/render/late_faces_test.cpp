@@ -9,9 +9,11 @@
 #include <tuple>
 #include <vector>
 
+#include "math/angles.h"
 #include "render/colour/blend_tables.h"
 #include "render/edges/span_table.h"
 #include "render/renderer.h"
+#include "render/screen/tint_picture.h"
 #include "render/view/face_opacity.h"
 #include "render/view/visible_faces.h"
 #include "support/drawable_level.h"
@@ -351,6 +353,41 @@ TEST(LateFaces, AreBlendedWithModelsFromBackToFront) {
   EXPECT_GT(over, 300u);
   EXPECT_GT(under, 300u);
   EXPECT_LE(off * 50, over + under) << off << " of " << over + under;
+}
+
+// Whatever is translucent is there before the tint is: water alone, or water behind a ball.
+TEST(LateFaces, AreTintedWithEverythingElse) {
+  const DrawableLevel drawable = with_fences(small_level());
+  const auto ball = small_model(sphere_mdl(), 16);
+  const render::ColourTables tables = render::make_colour_tables(drawable.palette, drawable.colormap);
+  const render::Tint tint{{255, 40, 0}, 0.4f};
+  base::Jobs jobs(1);
+  render::Renderer renderer(drawable.palette, drawable.colormap);
+  int balls_seen = 0;
+  for (int number = 0; number < effort(20, 6); ++number)
+    for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb})
+      for (const bool has_ball : {false, true}) {
+        Viewpoint viewpoint = viewpoint_number(*drawable.level, number);
+        render::Scene scene = viewpoint.scene(*drawable.level);
+        scene.liquid_alpha = {0.5f, 0.25f, 0.75f, 0.9f};
+        render::AliasInstance instance;
+        instance.model = ball.get();
+        instance.alpha = 0.5f;
+        const math::Vec3 forward(math::basis_from_angles(viewpoint.camera.angles_deg).forward);
+        instance.origin_world = viewpoint.camera.origin_world + 24.0f * forward;
+        FrameBuffer expected = std::move(draw(renderer, scene, format).frame);
+        if (has_ball) {
+          scene.alias_models = {&instance, 1};
+          const FrameCopy without = copy_of(expected);
+          expected = std::move(draw(renderer, scene, format).frame);
+          balls_seen += copy_of(expected) != without;
+        }
+        render::tint_picture(render::PictureTint(tint, tables, format, true), jobs, expected);
+        scene.tint = tint;
+        const Drawn drawn = draw(renderer, scene, format);
+        ASSERT_EQ(copy_of(drawn.frame), copy_of(expected)) << "view " << number << ", ball " << has_ball;
+      }
+  EXPECT_GT(balls_seen, 6);
 }
 
 // ---- What the picture does not depend on.

@@ -37,16 +37,23 @@ void PictureTint::apply(std::span<std::uint32_t> io_rgb) const {
   vector_kernels_ ? tint_rgb_vector(job) : tint_rgb_plain(job);
 }
 
+void PictureTint::apply_to_rows(RowRange rows, FrameBuffer& io_frame) const {
+  const auto width = static_cast<std::size_t>(io_frame.width());
+  const std::size_t first = static_cast<std::size_t>(rows.first) * width;
+  const std::size_t count = static_cast<std::size_t>(rows.end - rows.first) * width;
+  if (io_frame.format() == PixelFormat::kIndexed)
+    apply(io_frame.indexed().subspan(first, count));
+  else
+    apply(io_frame.rgb().subspan(first, count));
+}
+
 void tint_picture(const PictureTint& tint, base::Jobs& jobs, FrameBuffer& io_frame) {
-  constexpr std::size_t kPixelsAJob = std::size_t{1} << 15;
+  constexpr int kRowsAJob = 16;
   if (!tint.changes_pixels()) return;
-  const std::size_t pixels = io_frame.pixel_count();
-  jobs.parallel_for((pixels + kPixelsAJob - 1) / kPixelsAJob, [&](std::size_t job) {
-    const std::size_t first = job * kPixelsAJob, count = std::min(kPixelsAJob, pixels - first);
-    if (io_frame.format() == PixelFormat::kIndexed)
-      tint.apply(io_frame.indexed().subspan(first, count));
-    else
-      tint.apply(io_frame.rgb().subspan(first, count));
+  const int height = io_frame.height();
+  jobs.parallel_for(static_cast<std::size_t>((height + kRowsAJob - 1) / kRowsAJob), [&](std::size_t job) {
+    const int first = static_cast<int>(job) * kRowsAJob;
+    tint.apply_to_rows({first, std::min(first + kRowsAJob, height)}, io_frame);
   });
 }
 

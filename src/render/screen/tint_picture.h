@@ -21,6 +21,7 @@ class PictureTint {
   bool changes_pixels() const { return opacity_256_ > 0; }
   void apply(std::span<std::uint8_t> io_indexed) const;
   void apply(std::span<std::uint32_t> io_rgb) const;
+  void apply_to_rows(RowRange rows, FrameBuffer& io_frame) const;
 
  private:
   int opacity_256_ = 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
 #include "base/check.h"
@@ -31,12 +30,7 @@ struct Axis {
   }
 };
 
-// Rows and columns that are moved together: what they come from lies close together too, and stays in the
-// nearest caches.
-constexpr std::size_t kRowsAJob = 32, kColumnsAStrip = 128;
-// So many bytes are moved for each run, however few are wanted: a branch costs more, and what is too much is
-// written over by the runs behind it.
-constexpr std::size_t kBlockBytes = 64;
+constexpr std::size_t kRowsAJob = 16;
 
 }  // namespace
 
@@ -77,43 +71,19 @@ void Warp::reserve(std::size_t count, Spare<Pixel>& io_spare) {
   std::fill_n(io_spare.pixels.get(), count, Pixel{});
 }
 
-void Warp::find_runs(std::size_t longest) {
-  runs_.clear();
-  strips_.clear();
-  for (std::size_t x = 0; x < column_.size(); ++x) {
-    const bool begins_strip = x % kColumnsAStrip == 0;
-    if (begins_strip) strips_.push_back({runs_.size(), column_[x]});
-    strips_.back().furthest = std::max(strips_.back().furthest, column_[x]);
-    const bool goes_on =
-        !begins_strip && column_[x] == column_[x - 1] + 1 && x < runs_.back().first + longest;
-    if (!goes_on) runs_.push_back({x, column_[x]});
-  }
-  strips_.push_back({runs_.size(), 0});
-}
-
+// Hot loop.
 template <typename Pixel>
 void Warp::move_pixels(std::span<const Pixel> pixels, Spare<Pixel>& io_spare, const PictureTint& tint,
                        base::Jobs& jobs, FrameBuffer& io_frame) {
-  constexpr std::size_t kBlock = kBlockBytes / sizeof(Pixel);
   const std::size_t width = column_.size(), height = row_.size();
-  find_runs(kBlock);
   reserve(pixels.size(), io_spare);
-  const auto move_row_of_strip = [&](std::size_t strip, std::size_t y) {
-    const std::size_t left = strip * kColumnsAStrip, right = std::min(left + kColumnsAStrip, width);
-    const Pixel* const from = pixels.data() + row_[y];
-    Pixel* const row = &io_spare.pixels[y * width];
-    const std::size_t furthest = static_cast<std::size_t>(row_[y] + strips_[strip].furthest);
-    if (right + kBlock <= width && furthest + kBlock <= pixels.size())
-      for (std::size_t i = strips_[strip].first_run; i < strips_[strip + 1].first_run; ++i)
-        std::memcpy(row + runs_[i].first, from + runs_[i].from, kBlockBytes);
-    else
-      for (std::size_t x = left; x < right; ++x) row[x] = from[column_[x]];
-    if (tint.changes_pixels()) tint.apply(std::span(row + left, right - left));
-  };
   jobs.parallel_for((height + kRowsAJob - 1) / kRowsAJob, [&](std::size_t job) {
-    for (std::size_t strip = 0; strip + 1 < strips_.size(); ++strip)
-      for (std::size_t y = job * kRowsAJob; y < std::min((job + 1) * kRowsAJob, height); ++y)
-        move_row_of_strip(strip, y);
+    for (std::size_t y = job * kRowsAJob; y < std::min((job + 1) * kRowsAJob, height); ++y) {
+      const Pixel* const from = pixels.data() + row_[y];
+      Pixel* const row = &io_spare.pixels[y * width];
+      for (std::size_t x = 0; x < width; ++x) row[x] = from[column_[x]];
+      if (tint.changes_pixels()) tint.apply(std::span(row, width));
+    }
   });
   io_frame.exchange(io_spare.pixels);
 }

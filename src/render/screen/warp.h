@@ -23,16 +23,6 @@ class Warp {
   void prepare(const FrameBuffer& frame);
 
  private:
-  // Pixel (x, y) shows pixel number column_[x] + row_[y] of the picture as it was; pixels of a run show
-  // neighbours of one another.
-  struct Run {
-    std::size_t first;
-    std::int32_t from;  // column_[first]
-  };
-  struct Strip {
-    std::size_t first_run;
-    std::int32_t furthest;  // the largest of its columns' numbers
-  };
   template <typename Pixel>
   struct Spare {
     base::LargeMemory<Pixel> pixels;
@@ -41,15 +31,12 @@ class Warp {
 
   template <typename Pixel>
   static void reserve(std::size_t count, Spare<Pixel>& io_spare);
-  // Of at most `longest` pixels, and none reaches from one strip into the next.
-  void find_runs(std::size_t longest);
   template <typename Pixel>
   void move_pixels(std::span<const Pixel> pixels, Spare<Pixel>& io_spare, const PictureTint& tint,
                    base::Jobs& jobs, FrameBuffer& io_frame);
 
+  // Pixel (x, y) shows pixel number column_[x] + row_[y] of the picture as it was.
   std::vector<std::int32_t> column_, row_;
-  std::vector<Run> runs_;
-  std::vector<Strip> strips_;  // and one behind the last
   Spare<std::uint8_t> indexed_spare_;
   Spare<std::uint32_t> rgb_spare_;
 };

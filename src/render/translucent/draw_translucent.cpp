@@ -1,36 +1,14 @@
 #include "render/translucent/draw_translucent.h"
 
-#include <algorithm>
 #include <optional>
 
 #include "render/models/draw_sprites.h"
 #include "render/models/draw_translucent_alias.h"
 #include "render/translucent/merge_kernels.h"
-#include "world/visibility.h"
 
 namespace temblor::render {
 
 namespace {
-
-bool is_translucent(float alpha) {
-  return alpha > 0 && alpha < 1;
-}
-
-// One of the scene's translucent things, or a late face; faces are numbered as given.
-struct Layer {
-  enum class Kind : std::uint8_t { kFace, kAlias, kSprite, kViewWeapon };
-  SortKey key;
-  double depth;  // ViewFrame::depth, among equal keys
-  Kind kind;
-  std::uint32_t number;
-
-  bool is_behind(const Layer& other) const {
-    if (key != other.key) return key > other.key;
-    if (depth != other.depth) return depth < other.depth;
-    if (kind != other.kind) return kind < other.kind;
-    return number < other.number;
-  }
-};
 
 class Translucent {
  public:
@@ -43,28 +21,6 @@ class Translucent {
         arena_(arena),
         arenas_(io_arenas),
         frame_(io_frame) {}
-
-  // Back to front. What is in no leaf that was visited is taken for nearest.
-  std::span<const Layer> sort(std::span<const LateFace> faces, const VisibleFaces& visible) {
-    base::ArenaVector<Layer> layers(arena_, faces.size() + 16);
-    for (std::uint32_t i = 0; i < faces.size(); ++i)
-      layers.push_back({faces[i].key, faces[i].depth, Layer::Kind::kFace, i});
-    const auto add = [&](Layer::Kind kind, std::uint32_t number, const math::Vec3& origin) {
-      const SortKey key = visible.leaf_keys[base::to_size(world::find_leaf(*scene_.level, origin))];
-      const double z = target_.view.to_view(math::Vec3d(origin)).z;
-      layers.push_back({key, target_.view.depth(std::max(z, target_.view.near_z)), kind, number});
-    };
-    for (std::uint32_t i = 0; i < scene_.alias_models.size(); ++i)
-      if (is_translucent(scene_.alias_models[i].alpha))
-        add(Layer::Kind::kAlias, i, scene_.alias_models[i].origin_world);
-    for (std::uint32_t i = 0; i < scene_.sprites.size(); ++i)
-      if (is_translucent(scene_.sprites[i].alpha))
-        add(Layer::Kind::kSprite, i, scene_.sprites[i].origin_world);
-    std::sort(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) { return a.is_behind(b); });
-    if (scene_.view_weapon != nullptr && is_translucent(scene_.view_weapon->alpha))
-      layers.push_back({kNotVisited, 0, Layer::Kind::kViewWeapon, 0});
-    return layers.view();
-  }
 
   void draw_alias(const AliasInstance& instance, AliasRole role) {
     const std::optional<AliasPicture> picture = draw_alias_alone(
@@ -128,27 +84,27 @@ class Translucent {
 
 }  // namespace
 
-void draw_translucent(const Scene& scene, const Settings& settings, const VisibleFaces& visible,
+void draw_translucent(const Scene& scene, const Settings& settings, std::span<const TranslucentLayer> layers,
                       std::span<const LateFace> faces, const LateTarget& target, base::Jobs& jobs,
                       base::Arena& arena, std::vector<base::Arena>& io_arenas, FrameBuffer& io_frame) {
+  using Kind = TranslucentLayer::Kind;
   Translucent translucent(scene, settings, target, jobs, arena, io_arenas, io_frame);
-  const std::span<const Layer> layers = translucent.sort(faces, visible);
   for (std::size_t i = 0; i < layers.size();) {
-    const Layer& layer = layers[i];
+    const TranslucentLayer& layer = layers[i];
     std::size_t next = i + 1;
     switch (layer.kind) {
-      case Layer::Kind::kFace:
+      case Kind::kFace:
         // Faces are in this order already: those with nothing between them are drawn together.
-        while (next < layers.size() && layers[next].kind == Layer::Kind::kFace) ++next;
+        next = i + leading_faces(layers.subspan(i));
         translucent.draw_faces(faces.subspan(layer.number, next - i));
         break;
-      case Layer::Kind::kAlias:
+      case Kind::kAlias:
         translucent.draw_alias(scene.alias_models[layer.number], AliasRole::kWorld);
         break;
-      case Layer::Kind::kSprite:
+      case Kind::kSprite:
         translucent.draw_sprite(scene.sprites[layer.number]);
         break;
-      case Layer::Kind::kViewWeapon:
+      case Kind::kViewWeapon:
         translucent.draw_alias(*scene.view_weapon, AliasRole::kViewWeapon);
         break;
     }

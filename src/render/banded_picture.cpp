@@ -1,4 +1,4 @@
-#include "render/opaque_picture.h"
+#include "render/banded_picture.h"
 
 #include "render/screen/fog_band.h"
 #include "render/spans/draw_spans.h"
@@ -8,7 +8,7 @@ namespace temblor::render {
 
 namespace {
 
-StageTimes draw_band(const OpaquePicture& picture, const Settings& settings, std::size_t number,
+StageTimes draw_band(const BandedPicture& picture, const Settings& settings, std::size_t number,
                      base::Arena& arena, FrameBuffer& io_frame) {
   const LateTarget& world = picture.world;
   const Band& band = world.spans.bands[number];
@@ -19,7 +19,7 @@ StageTimes draw_band(const OpaquePicture& picture, const Settings& settings, std
   draw_spans(settings, world.view, band, world.sources, world.tables, io_frame);
   clock.end(Stage::kSpans);
   if (settings.fill_depth) {  // what follows is tested against it
-    draw_late_faces(picture.late_faces, world, band, arena, io_frame);
+    draw_late_faces(picture.opaque_faces, world, band, arena, io_frame);
     clock.end(Stage::kTranslucent);
     draw_alias_models(picture.alias_models, vectors, rows, io_frame);
     clock.end(Stage::kModels);
@@ -30,12 +30,16 @@ StageTimes draw_band(const OpaquePicture& picture, const Settings& settings, std
   }
   fog_band(world.fog, band, world.sources.items, arena, io_frame);
   clock.end(Stage::kScreen);
+  draw_late_faces(picture.translucent_faces, world, band, arena, io_frame);
+  clock.end(Stage::kTranslucent);
+  if (picture.tint.changes_pixels()) picture.tint.apply_to_rows(rows, io_frame);
+  clock.end(Stage::kScreen);
   return times;
 }
 
 }  // namespace
 
-void draw_opaque_picture(const OpaquePicture& picture, const Settings& settings, base::Jobs& jobs,
+void draw_banded_picture(const BandedPicture& picture, const Settings& settings, base::Jobs& jobs,
                          base::Arena& arena, std::vector<base::Arena>& io_band_arenas, FrameBuffer& io_frame,
                          StageTimes& out_times) {
   const std::size_t bands = picture.world.spans.bands.size();
