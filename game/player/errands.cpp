@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "game/player/brain.h"
+#include "game/player/pick.h"
 
 namespace temblor::player {
 namespace {
@@ -26,6 +27,18 @@ std::vector<bool> Brain::premises(int items) const {
       premises.push_back(movers_.access(static_cast<int>(i), state) >= Access::kLocked);
   for (int bit = 0; bit < 24; ++bit) premises.push_back((items >> bit & 1) != 0 && bit >= 17 && bit <= 18);
   return premises;
+}
+
+std::optional<Task> Brain::task_to_take(server::Game& io_game, const Pick& pick, std::uint32_t at) {
+  Task task{.kind = TaskKind::kTake,
+            .entity = pick.entity,
+            .box = box_of(io_game.world().edicts[pick.entity]),
+            .describe = player::describe(io_game, pick.entity),
+            .goals = {pick.place}};
+  std::optional<Route> route = router_.find(at, task.goals);
+  if (!route) return std::nullopt;
+  task.route = std::move(*route);
+  return task;
 }
 
 std::optional<Task> Brain::interrupted_task(std::uint32_t at) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "game/player/monster_watch.h"
+#include "game/player/pick.h"
 #include "server/system_globals.h"
 
 namespace temblor::player {
@@ -216,7 +217,7 @@ class Run {
       const vm::EntityIndex entity{i};
       if (world.edicts.is_free(entity)) continue;
       const server::Edict edict = world.edicts[entity];
-      if (!edict.has_flag(server::flag::kItem) || edict.solid() != server::Solid::kTrigger) continue;
+      if (!lies_ready(edict)) continue;
       if (map_->graph.touching(box_of(edict), 12).empty())
         report_.unreached_items.push_back(describe(session_->game(), entity));
     }
