@@ -1,24 +1,23 @@
 // `play --watch`: what a mapper or modder works on is taken up by the running game when it is saved.
 #pragma once
 
-#include <filesystem>
 #include <future>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/file_watch.h"
-#include "app/options.h"
 #include "base/result.h"
+#include "host/game_data.h"
 
 namespace temblor::app {
 
 class PlayWatch {
  public:
-  // `files`: maps, which are compiled into the last game folder, levels and a program (.dat). Compiles the
-  // maps once, so that there is something to play; fails where that does.
+  // `files`: maps, which are compiled to where the last game folder's files are written, levels and a program
+  // (.dat). Compiles the maps once, so that there is something to play; fails where that does.
   static base::Result<PlayWatch> begin(const std::vector<std::string>& files,
-                                       const std::filesystem::path& base_folder, const CommonOptions& common);
+                                       const host::GameFolders& folders);
 
   // The level to play and the game's code to use; empty: none was named.
   const std::string& level() const { return level_; }
