@@ -84,7 +84,7 @@ class Brain {
   int nearest_place(const Self& self) const;
   bool fights_first(double now_s);
   void give_up_task(const Self& self);
-  void find_work(server::Game& io_game, const Self& self, double now_s);
+  void find_work(const Self& self, double now_s);
   net::Move move_for(const Self& self, const Steering& steering);
   void note_death(server::Game& io_game, const Self& self);
   void complain(const std::string& text);

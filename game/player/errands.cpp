@@ -25,7 +25,7 @@ std::vector<bool> Brain::premises(int items) const {
   for (std::size_t i = 0; i < map_->facts.movers.size(); ++i)
     for (int state = 0; state < map_->facts.movers[i].states; ++state)
       premises.push_back(movers_.access(static_cast<int>(i), state) >= Access::kLocked);
-  for (int bit = 0; bit < 24; ++bit) premises.push_back((items >> bit & 1) != 0 && bit >= 17 && bit <= 18);
+  for (const int key : {kSilverKey, kGoldKey}) premises.push_back((items & key) != 0);
   return premises;
 }
 
@@ -56,7 +56,7 @@ int Brain::nearest_place(const Self& self) const {
   return at >= 0 ? at : map_->graph.nearest(self.origin, kReach_units);
 }
 
-void Brain::find_work(server::Game&, const Self& self, double now_s) {
+void Brain::find_work(const Self& self, double now_s) {
   planned_s_ = now_s;
   is_side_task_ = false;
   const int at = nearest_place(self);
