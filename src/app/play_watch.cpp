@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kLookEvery_s = 0.2;
 
-base::Status run_compiler(const std::vector<std::string>& words) {
-  TRY(ChildProcess compiler, ChildProcess::start(words));
-  return compiler.finish();
-}
-
 // This program once more, in a process of its own: a map that upsets the compiler must not end the game.
 std::vector<std::string> compiler_words(const std::filesystem::path& map, const std::filesystem::path& level,
                                         const host::GameFolders& folders) {
@@ -27,7 +22,17 @@ std::vector<std::string> compiler_words(const std::filesystem::path& map, const 
   return words;
 }
 
+std::string echo_of(const std::string& line) {
+  return command::join_words({"echo", line});
+}
+
 }  // namespace
+
+PlayWatch::Compiled PlayWatch::run_compiler(const std::vector<std::string>& words) {
+  TRY(ChildProcess compiler, ChildProcess::start(words));
+  TRY_STATUS(compiler.finish());
+  return compiler.messages();
+}
 
 base::Result<PlayWatch> PlayWatch::begin(const std::vector<std::string>& files,
                                          const host::GameFolders& folders) {
@@ -53,7 +58,8 @@ base::Result<PlayWatch> PlayWatch::begin(const std::vector<std::string>& files,
       std::filesystem::create_directories(level.parent_path(), ignored);
       Map map{compiler_words(file, level, folders), {}};
       map.watch.add({stamp});
-      TRY_STATUS(run_compiler(map.compile));
+      TRY(const std::vector<std::string> said, run_compiler(map.compile));
+      for (const std::string& line : said) watch.lines_.push_back(echo_of(line));
       watch.maps_.push_back(std::move(map));
     }
     const std::string played = games.files.where("maps/" + watch.level_ + ".bsp");
@@ -63,13 +69,16 @@ base::Result<PlayWatch> PlayWatch::begin(const std::vector<std::string>& files,
 }
 
 std::vector<std::string> PlayWatch::look(double now_s) {
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = std::exchange(lines_, {});
   if (now_s - looked_at_s_ < kLookEvery_s) return lines;
   looked_at_s_ = now_s;
   if (compiling_ && compiling_->wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-    const base::Status compiled = compiling_->get();
+    const Compiled compiled = compiling_->get();
     compiling_.reset();
-    if (!compiled.ok()) lines.push_back(command::join_words({"echo", compiled.error().message()}));
+    if (!compiled.ok())
+      lines.push_back(echo_of(compiled.error().message()));
+    else
+      for (const std::string& line : *compiled) lines.push_back(echo_of(line));
   }
   for (Map& map : maps_)
     if (!compiling_ && map.watch.has_changed()) {

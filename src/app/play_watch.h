@@ -27,6 +27,10 @@ class PlayWatch {
   std::vector<std::string> look(double now_s);
 
  private:
+  // What the compiler had to say; fails where there is no new level.
+  using Compiled = base::Result<std::vector<std::string>>;
+  static Compiled run_compiler(const std::vector<std::string>& words);
+
   struct Map {
     std::vector<std::string> compile;  // the words of the command
     FileWatch watch;
@@ -35,7 +39,8 @@ class PlayWatch {
   std::vector<Map> maps_;
   FileWatch played_;  // levels and programs, as the game reads them
   std::string level_, program_;
-  std::optional<std::future<base::Status>> compiling_;
+  std::vector<std::string> lines_;  // still to be run
+  std::optional<std::future<Compiled>> compiling_;
   double looked_at_s_ = 0;
 };
 

@@ -156,12 +156,14 @@ TEST(PlayProgram, AWatchedMapIsCompiledToWhereThePlayerMayWrite) {
 export XDG_DATA_HOME="$PWD/user"
 PLAY --watch room.map & game=$!
 xdotool search --sync --name Temblor >/dev/null; sleep 3
-echo "// saved" >>room.map; sleep 4
+printf '{\n"classname" "light"\n"origin" "999 0 0"\n}\n' >>room.map; sleep 4
 kill -TERM $game
 wait $game; echo "ended with $?"
 )");
   EXPECT_THAT(out, HasSubstr("player joins"));
   EXPECT_THAT(out, HasSubstr("reloaded"));
+  EXPECT_THAT(out, HasSubstr("temblor: note: "));
+  EXPECT_THAT(out, HasSubstr("999 0 0")) << "what the compiler says of the map is told in the console";
   EXPECT_THAT(out, HasSubstr("ended with 0"));
   EXPECT_TRUE(std::filesystem::exists(evening.path() / "user/temblor/evening/maps/room.bsp"));
   EXPECT_FALSE(std::filesystem::exists(evening.game() / "maps"));
