@@ -27,6 +27,7 @@ class Run {
     moves_.resize(session_->player_count());
     turns_.resize(session_->player_count());
     began_s_ = session_->now_s();
+    report_.is_deathmatch = is_deathmatch();
     while (session_->now_s() - began_s_ < kSettle_s && session_->has_game()) step();
     if (!session_->has_game()) return failed();
     map_name_ = session_->game().setup().map_name;
