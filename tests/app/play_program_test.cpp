@@ -169,6 +169,25 @@ wait $game; echo "ended with $?"
   EXPECT_FALSE(std::filesystem::exists(evening.game() / "maps"));
 }
 
+// Even by root, who may.
+TEST(PlayProgram, NothingIsWrittenBesideAnInstalledGame) {
+  SKIP_WITHOUT_DISPLAY();
+  const SmallGame game;
+  const TemporaryFolder prefix;
+  std::filesystem::create_directories(prefix.path() / "bin");
+  std::filesystem::create_directories(prefix.path() / "share/games");
+  std::filesystem::copy_file(TEMBLOR_PROGRAM, prefix.path() / "bin/temblor");
+  std::filesystem::copy(game.path(), prefix.path() / "share/games/temblor",
+                        std::filesystem::copy_options::recursive);
+  prefix.write("home/readme", "");
+  const std::string line = "cd '" + prefix.path().string() +
+                           "/home' && ASAN_OPTIONS=detect_leaks=0 XDG_DATA_HOME=\"$PWD\" xvfb-run -a "
+                           "../bin/temblor play --nosound --duration 2 >out 2>&1";
+  EXPECT_EQ(std::system(line.c_str()), 0) << read_text(prefix.path() / "home/out");
+  EXPECT_TRUE(std::filesystem::exists(prefix.path() / "home/temblor/id1/temblor.cfg"));
+  EXPECT_FALSE(std::filesystem::exists(prefix.path() / "share/games/temblor/id1/temblor.cfg"));
+}
+
 TEST(PlayProgram, WithoutADisplayItSaysSo) {
   const SmallGame game;
   unsetenv("DISPLAY");
