@@ -241,7 +241,7 @@ void Brain::work(server::Game& io_game, const Self& self, double now_s, Steering
       }
   }
   if (!task_ && can_plan && now_s - planned_s_ > (in_vain_since_s_ ? kPlanEvery_s : 0.2))
-    find_work(io_game, self, now_s);
+    find_work(self, now_s);
   if (!task_) return;
   if (phase_ == Phase::kWalk) {
     switch (walker_.walk(io_game, self, now_s, out)) {

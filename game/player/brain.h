@@ -18,6 +18,8 @@
 
 namespace temblor::player {
 
+struct Pick;
+
 struct BrainSetup {
   std::uint64_t seed = 1;
   std::size_t slot = 0;
@@ -69,6 +71,7 @@ class Brain {
   std::optional<Task> task_for_secret(std::uint32_t at);
   std::optional<Task> task_for_exit(std::uint32_t at);
   std::optional<Task> task_for_item(server::Game& io_game, const Self& self, std::uint32_t at);
+  std::optional<Task> task_to_take(server::Game& io_game, const Pick& pick, std::uint32_t at);
   void take_up(Task task, double now_s);
   void drop_task() {
     task_.reset();
@@ -81,7 +84,7 @@ class Brain {
   int nearest_place(const Self& self) const;
   bool fights_first(double now_s);
   void give_up_task(const Self& self);
-  void find_work(server::Game& io_game, const Self& self, double now_s);
+  void find_work(const Self& self, double now_s);
   net::Move move_for(const Self& self, const Steering& steering);
   void note_death(server::Game& io_game, const Self& self);
   void complain(const std::string& text);

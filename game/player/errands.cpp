@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "game/player/brain.h"
+#include "game/player/pick.h"
 
 namespace temblor::player {
 namespace {
@@ -24,8 +25,20 @@ std::vector<bool> Brain::premises(int items) const {
   for (std::size_t i = 0; i < map_->facts.movers.size(); ++i)
     for (int state = 0; state < map_->facts.movers[i].states; ++state)
       premises.push_back(movers_.access(static_cast<int>(i), state) >= Access::kLocked);
-  for (int bit = 0; bit < 24; ++bit) premises.push_back((items >> bit & 1) != 0 && bit >= 17 && bit <= 18);
+  for (const int key : {kSilverKey, kGoldKey}) premises.push_back((items & key) != 0);
   return premises;
+}
+
+std::optional<Task> Brain::task_to_take(server::Game& io_game, const Pick& pick, std::uint32_t at) {
+  Task task{.kind = TaskKind::kTake,
+            .entity = pick.entity,
+            .box = box_of(io_game.world().edicts[pick.entity]),
+            .describe = player::describe(io_game, pick.entity),
+            .goals = {pick.place}};
+  std::optional<Route> route = router_.find(at, task.goals);
+  if (!route) return std::nullopt;
+  task.route = std::move(*route);
+  return task;
 }
 
 std::optional<Task> Brain::interrupted_task(std::uint32_t at) {
@@ -43,7 +56,7 @@ int Brain::nearest_place(const Self& self) const {
   return at >= 0 ? at : map_->graph.nearest(self.origin, kReach_units);
 }
 
-void Brain::find_work(server::Game&, const Self& self, double now_s) {
+void Brain::find_work(const Self& self, double now_s) {
   planned_s_ = now_s;
   is_side_task_ = false;
   const int at = nearest_place(self);

@@ -307,7 +307,8 @@ void Flood::note_triggers(Place& io_place) const {
   for (const Trigger& trigger : space_.facts().triggers) {
     if (!boxes_meet(box, trigger.box)) continue;
     if (trigger.kind == TriggerKind::kExit) io_place.is_end = true;
-    if (trigger.kind == TriggerKind::kHurt) io_place.penalty += trigger.damage * 50;
+    // One that heals must not make a way cost less than nothing: searches would go round in it for ever.
+    if (trigger.kind == TriggerKind::kHurt) io_place.penalty += std::max(trigger.damage, 0.0f) * 50;
   }
   if (space_.is_in_slime(io_place.at)) io_place.penalty += kSlimePenalty;
 }

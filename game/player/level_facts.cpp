@@ -14,9 +14,8 @@ namespace field = server::field;
 
 constexpr int kDoorToggles = 32;
 constexpr int kGoldKeyDoor = 8, kSilverKeyDoor = 16;
-constexpr int kSilverKey = 131072, kGoldKey = 262144;
 constexpr int kTriggerNoTouch = 1;
-constexpr std::size_t kMaxCorners = 32;
+constexpr std::size_t kMaxCorners = 31;  // states are bits of Demand::states
 
 class Reader {
  public:
@@ -126,14 +125,12 @@ class Reader {
   }
 
   void read_train(const Edict& edict) {
-    const std::optional<MoverPart> part = part_of(edict);
-    if (!part) return;
     Mover train{.kind = MoverKind::kTrain};
     train.opens_by_itself = text(edict, field::kTargetName).empty();
     std::vector<math::Vec3> places;
     // It has been put onto its first corner, or is under way there, and aims at the next.
     std::vector<vm::EntityIndex> corners;
-    for (std::optional<vm::EntityIndex> corner = first_corner(edict, *part);
+    for (std::optional<vm::EntityIndex> corner = first_corner(edict);
          corner && corners.size() < kMaxCorners &&
          std::find(corners.begin(), corners.end(), *corner) == corners.end();) {
       corners.push_back(*corner);
@@ -143,7 +140,7 @@ class Reader {
     add_mover(edict, train, places);
   }
 
-  std::optional<vm::EntityIndex> first_corner(const Edict& edict, const MoverPart&) const {
+  std::optional<vm::EntityIndex> first_corner(const Edict& edict) const {
     const std::optional<vm::EntityIndex> next = find_named(text(edict, field::kTarget));
     if (!next) return std::nullopt;
     // The corner before the next, where it stands, so that a line's beginning is not left out.

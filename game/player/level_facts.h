@@ -12,6 +12,9 @@
 
 namespace temblor::player {
 
+// Bits of `items`.
+constexpr int kSilverKey = 131072, kGoldKey = 262144;
+
 // Fields that the game's program has beside the system's; without one, reading gives 0.
 class GameFields {
  public:

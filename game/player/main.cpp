@@ -49,6 +49,10 @@ int run(int argument_count, char** arguments) {
   program.add_flag("--verbose", is_verbose, "Tells what it does");
   CLI11_PARSE(program, argument_count, arguments);
 
+  if (waypoints.size() % 3 != 0) {
+    fmt::print(stderr, "game_player: --waypoints: each has three numbers, X Y Z\n");
+    return 2;
+  }
   setup.session.base_folder = base_folder;
   setup.session.program_file = program_file;
   setup.session.cooperative = players > 0;

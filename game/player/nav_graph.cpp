@@ -19,9 +19,14 @@ NavGraph::NavGraph(const NavSpace& space, std::span<const math::Vec3> starts, co
   Flood(space, limits, *this).run(starts);
 }
 
+int NavGraph::row_of(float along, float low, int rows) {
+  // In this order what is no number is 0.
+  return static_cast<int>(
+      std::fmin(std::fmax((along - low) / kCell_units, 0.0f), static_cast<float>(rows - 1)));
+}
+
 std::size_t NavGraph::cell_of(const math::Vec3& at) const {
-  const int x = std::clamp(static_cast<int>((at.x - low_.x) / kCell_units), 0, width_ - 1);
-  const int y = std::clamp(static_cast<int>((at.y - low_.y) / kCell_units), 0, height_ - 1);
+  const int x = row_of(at.x, low_.x, width_), y = row_of(at.y, low_.y, height_);
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
 }
 
@@ -57,19 +62,15 @@ std::vector<std::uint32_t> NavGraph::touching(const math::Bounds& box, float gro
   std::vector<std::uint32_t> found;
   const math::Vec3 low = box.mins - movement::kPlayerMaxs - grown;
   const math::Vec3 high = box.maxs - movement::kPlayerMins + grown;
-  for (float y = low.y; y <= high.y + kCell_units; y += kCell_units)
-    for (float x = low.x; x <= high.x + kCell_units; x += kCell_units) {
-      if (x < low_.x || y < low_.y || x > low_.x + static_cast<float>(width_ * kCell_units) ||
-          y > low_.y + static_cast<float>(height_ * kCell_units))
-        continue;
-      for (const std::uint32_t i : cells_[cell_of({x, y, 0})]) {
+  const int last_x = row_of(high.x, low_.x, width_), last_y = row_of(high.y, low_.y, height_);
+  for (int y = row_of(low.y, low_.y, height_); y <= last_y; ++y)
+    for (int x = row_of(low.x, low_.x, width_); x <= last_x; ++x)
+      for (const std::uint32_t i : cells_[static_cast<std::size_t>(y * width_ + x)]) {
         const math::Vec3& at = places_[i].at;
         if (glm::all(glm::greaterThanEqual(at, low)) && glm::all(glm::lessThanEqual(at, high)))
           found.push_back(i);
       }
-    }
   std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 

@@ -70,6 +70,8 @@ class NavGraph {
   math::Vec3 low_{0.0f};
   int width_ = 0, height_ = 0;
 
+  // Of the grid's `rows`, which begin at `low`, the one there; outside of it the nearest.
+  static int row_of(float along, float low, int rows);
   std::size_t cell_of(const math::Vec3& at) const;
 };
 

@@ -9,7 +9,6 @@ namespace {
 
 namespace field = server::field;
 
-constexpr int kSilverKey = 131072;
 constexpr float kPressReach_units = 14, kItemReach_units = 6;
 constexpr std::array<float, 3> kKillReaches_units = {48, 160, 400};
 constexpr float kShootReach_units = 900, kAimSlack_units = 6;
@@ -149,7 +148,8 @@ void Planner::note_dead_end(const Task& goal, bool is_detour) {
 std::optional<Task> Planner::best_way_to_open(std::uint32_t from, int mover, std::vector<int>& io_visited) {
   std::optional<Task> best;
   float best_cost = 0;
-  for (Task& candidate : ways_to_open(mover)) {
+  std::vector<int> doors = {mover};
+  for (Task& candidate : ways_to_open(mover, doors)) {
     const int used = uses(candidate.entity);
     if (used >= kMaxUses) continue;
     if (candidate.opens < 0) candidate.opens = mover;
@@ -163,7 +163,7 @@ std::optional<Task> Planner::best_way_to_open(std::uint32_t from, int mover, std
   return best;
 }
 
-std::vector<Task> Planner::ways_to_open(int mover) {
+std::vector<Task> Planner::ways_to_open(int mover, std::vector<int>& io_doors) {
   const Mover& m = space_->facts().movers[static_cast<std::size_t>(mover)];
   std::vector<Task> tasks;
   if (m.key != 0 && (items_ & m.key) != 0) {
@@ -188,8 +188,7 @@ std::vector<Task> Planner::ways_to_open(int mover) {
   if (m.is_shot)
     for (const MoverPart& part : m.parts) tasks.push_back(task_for(TaskKind::kShoot, part.entity));
   if (!m.target_name.empty()) {
-    std::vector<int> doors;
-    add_firing(m.target_name, 0, tasks, doors);
+    add_firing(m.target_name, 0, tasks, io_doors);
     if (tasks.empty())
       why_not_.push_back(fmt::format("{}: nothing is left that fires \"{}\"", m.describe, m.target_name));
   }
@@ -238,7 +237,7 @@ void Planner::add_firing(const std::string& name, int depth, std::vector<Task>& 
       io_tasks.push_back(task_for(TaskKind::kPress, activator.entity));
       continue;
     }
-    for (Task& task : ways_to_open(door)) io_tasks.push_back(std::move(task));
+    for (Task& task : ways_to_open(door, io_doors)) io_tasks.push_back(std::move(task));
   }
   for (const Relay& relay : facts.relays)
     if (relay.target == name || relay.kill_target == name)

@@ -56,7 +56,8 @@ class Planner {
   std::optional<Task> plan_inner(std::uint32_t from, Task goal, std::vector<int>& io_visited);
   void leave_out_vain(Task& io_task) const;
   void note_dead_end(const Task& goal, bool is_detour);
-  std::vector<Task> ways_to_open(int mover);
+  // `io_doors`: those that are being looked at; they may fire one another in a circle.
+  std::vector<Task> ways_to_open(int mover, std::vector<int>& io_doors);
   void add_firing(const std::string& name, int depth, std::vector<Task>& io_tasks,
                   std::vector<int>& io_doors);
   bool is_usable(const Activator& activator) const;

@@ -27,12 +27,20 @@ std::string as_json(const RunReport& report) {
   return json.dump(2) + "\n";
 }
 
+namespace {
+
+std::string outcome(const RunReport& report) {
+  if (report.is_deathmatch) return "ended";
+  return report.reached_exit ? fmt::format("exit to {} reached", report.exit) : "NO EXIT";
+}
+
+}  // namespace
+
 std::string as_text(const RunReport& report) {
   std::string text = fmt::format(
       "{} after {:.1f} s, {} of {} monsters, {} of {} secrets, {} frags, {} deaths; {} places, {} ways\n",
-      report.reached_exit ? fmt::format("exit to {} reached", report.exit) : "NO EXIT", report.time_s,
-      report.kills, report.monsters, report.found_secrets, report.secrets, report.frags, report.deaths.size(),
-      report.places, report.ways);
+      outcome(report), report.time_s, report.kills, report.monsters, report.found_secrets, report.secrets,
+      report.frags, report.deaths.size(), report.places, report.ways);
   const auto add = [&](const char* what, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) text += fmt::format("  {}: {}\n", what, line);
   };

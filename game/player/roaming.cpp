@@ -3,14 +3,14 @@
 #include <string_view>
 
 #include "game/player/brain.h"
+#include "game/player/pick.h"
 
 namespace temblor::player {
 namespace {
 
-namespace field = server::field;
-
 constexpr float kReach_units = 6;
 constexpr float kCostOfWay = 0.5f, kWhim = 350;
+constexpr float kWorthless = -1e9f;  // the way may cost more than what lies at its end
 constexpr std::size_t kRemembered = 4;
 
 float worth_of(std::string_view name, const Self& self, int weapon_bit) {
@@ -25,38 +25,20 @@ float worth_of(std::string_view name, const Self& self, int weapon_bit) {
 }  // namespace
 
 std::optional<Task> Brain::task_for_roaming(std::uint32_t at) {
-  server::GameWorld& world = game_->world();
   const Self self = feel_self(*game_, setup_.slot);
-  const std::span<const float> costs = router_.costs_from(at);
-  std::optional<vm::EntityIndex> best;
-  float best_value = -1e9f;
-  std::uint32_t best_place = 0;
-  for (std::uint32_t i = 1 + world.edicts.client_count(); i < world.edicts.count(); ++i) {
-    const vm::EntityIndex entity{i};
-    if (world.edicts.is_free(entity)) continue;
-    const server::Edict edict = world.edicts[entity];
-    if (edict.solid() != server::Solid::kTrigger || !edict.has_flag(server::flag::kItem)) continue;
-    if (std::find(was_lately_.begin(), was_lately_.end(), i) != was_lately_.end()) continue;
+  const auto appraise = [&](vm::EntityIndex entity) -> std::optional<float> {
+    const auto number = static_cast<std::uint32_t>(entity);
+    if (std::find(was_lately_.begin(), was_lately_.end(), number) != was_lately_.end()) return std::nullopt;
     const std::string name = class_name(*game_, entity);
-    const float worth = worth_of(name, self, weapon_bit_of(name)) + dice_.between(0, kWhim);
-    for (const std::uint32_t place : map_->graph.touching(box_of(edict), kReach_units)) {
-      const float value = worth - costs[place] * kCostOfWay;
-      if (value <= best_value) continue;
-      best_value = value;
-      best = entity;
-      best_place = place;
-    }
-  }
+    return worth_of(name, self, weapon_bit_of(name)) + dice_.between(0, kWhim);
+  };
+  const std::optional<Pick> best = best_pick(
+      *game_, map_->graph, router_.costs_from(at),
+      {.reach_units = kReach_units, .cost_of_way = kCostOfWay, .least_value = kWorthless}, appraise);
   if (!best) return std::nullopt;
-  was_lately_.push_back(static_cast<std::uint32_t>(*best));
+  was_lately_.push_back(static_cast<std::uint32_t>(best->entity));
   if (was_lately_.size() > kRemembered) was_lately_.pop_front();
-  Task task{.kind = TaskKind::kTake, .entity = *best, .box = box_of(world.edicts[*best])};
-  task.describe = player::describe(*game_, *best);
-  task.goals = {best_place};
-  std::optional<Route> route = router_.find(at, task.goals);
-  if (!route) return std::nullopt;
-  task.route = std::move(*route);
-  return task;
+  return task_to_take(*game_, *best, at);
 }
 
 }  // namespace temblor::player

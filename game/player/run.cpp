@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "game/player/monster_watch.h"
+#include "game/player/pick.h"
 #include "server/system_globals.h"
 
 namespace temblor::player {
@@ -26,6 +27,7 @@ class Run {
     moves_.resize(session_->player_count());
     turns_.resize(session_->player_count());
     began_s_ = session_->now_s();
+    report_.is_deathmatch = is_deathmatch();
     while (session_->now_s() - began_s_ < kSettle_s && session_->has_game()) step();
     if (!session_->has_game()) return failed();
     map_name_ = session_->game().setup().map_name;
@@ -216,7 +218,7 @@ class Run {
       const vm::EntityIndex entity{i};
       if (world.edicts.is_free(entity)) continue;
       const server::Edict edict = world.edicts[entity];
-      if (!edict.has_flag(server::flag::kItem) || edict.solid() != server::Solid::kTrigger) continue;
+      if (!lies_ready(edict)) continue;
       if (map_->graph.touching(box_of(edict), 12).empty())
         report_.unreached_items.push_back(describe(session_->game(), entity));
     }

@@ -28,6 +28,7 @@ struct RunSetup {
 };
 
 struct RunReport {
+  bool is_deathmatch = false;  // which has no exit
   bool reached_exit = false;
   std::string exit;  // the level that it leads to
   double time_s = 0;

@@ -1,8 +1,8 @@
 // Which items are worth a detour.
-#include <algorithm>
 #include <string_view>
 
 #include "game/player/brain.h"
+#include "game/player/pick.h"
 
 namespace temblor::player {
 namespace {
@@ -11,7 +11,8 @@ namespace field = server::field;
 
 constexpr float kFarthestCost = 900, kFarthestInNeedCost = 1400;
 constexpr float kWoundedHealth = 65, kFewShells = 12;
-constexpr std::size_t kSmallBox = 8;
+constexpr float kReach_units = 8;
+constexpr int kMostTries = 2;
 
 // How far somebody would go for it.
 float worth_of(std::string_view name, const Self& self, int weapon_bit) {
@@ -33,39 +34,24 @@ float worth_of(std::string_view name, const Self& self, int weapon_bit) {
 }  // namespace
 
 std::optional<Task> Brain::task_for_item(server::Game& io_game, const Self& self, std::uint32_t at) {
-  server::GameWorld& world = io_game.world();
   const bool is_in_need = self.health < kWoundedHealth || self.shells < kFewShells;
   const std::span<const float> costs =
       router_.costs_from(at, {.most_cost = is_in_need ? kFarthestInNeedCost : kFarthestCost});
-  std::optional<vm::EntityIndex> best;
-  float best_gain = 0;
-  std::uint32_t best_place = 0;
-  for (std::uint32_t i = 1 + world.edicts.client_count(); i < world.edicts.count(); ++i) {
-    const vm::EntityIndex entity{i};
-    if (world.edicts.is_free(entity)) continue;
-    const server::Edict edict = world.edicts[entity];
-    if (edict.solid() != server::Solid::kTrigger || !edict.has_flag(server::flag::kItem)) continue;
-    if (const auto tried = tried_items_.find(i); tried != tried_items_.end() && tried->second >= 2) continue;
+  const auto appraise = [&](vm::EntityIndex entity) -> std::optional<float> {
+    const auto tried = tried_items_.find(static_cast<std::uint32_t>(entity));
+    if (tried != tried_items_.end() && tried->second >= kMostTries) return std::nullopt;
     const std::string name = class_name(io_game, entity);
     const float worth = worth_of(name, self, weapon_bit_of(name));
-    const float distance = glm::distance(edict[field::kOrigin], self.origin);
-    if (worth <= 0 || distance > worth) continue;
-    for (const std::uint32_t place : map_->graph.touching(box_of(edict), kSmallBox)) {
-      const float gain = worth - costs[place];
-      if (gain <= best_gain) continue;
-      best_gain = gain;
-      best = entity;
-      best_place = place;
-    }
-  }
+    // No way is shorter than the line.
+    const float distance = glm::distance(io_game.world().edicts[entity][field::kOrigin], self.origin);
+    if (worth <= 0 || distance > worth) return std::nullopt;
+    return worth;
+  };
+  const std::optional<Pick> best =
+      best_pick(io_game, map_->graph, costs, {.reach_units = kReach_units}, appraise);
   if (!best) return std::nullopt;
-  Task task{.kind = TaskKind::kTake, .entity = *best, .box = box_of(world.edicts[*best])};
-  task.describe = player::describe(io_game, *best);
-  task.goals = {best_place};
-  std::optional<Route> route = router_.find(at, task.goals);
-  if (!route) return std::nullopt;
-  task.route = std::move(*route);
-  ++tried_items_[static_cast<std::uint32_t>(*best)];
+  std::optional<Task> task = task_to_take(io_game, *best, at);
+  if (task) ++tried_items_[static_cast<std::uint32_t>(best->entity)];
   return task;
 }
 

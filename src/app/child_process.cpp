@@ -103,14 +103,25 @@ void ChildProcess::close_input() {
   if (input_ >= 0) close(std::exchange(input_, -1));
 }
 
-std::string ChildProcess::last_message() const {
+std::string ChildProcess::message_text() const {
   constexpr off_t kMostBytes = 4096;
   const off_t size = lseek(messages_, 0, SEEK_END);
   std::string text(static_cast<std::size_t>(std::min(std::max<off_t>(size, 0), kMostBytes)), '\0');
   const ssize_t count = pread(messages_, text.data(), text.size(), size - static_cast<off_t>(text.size()));
   text.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
-  return base::printable(text.substr(text.find_last_of("\r\n") + 1));
+  return text;
+}
+
+std::vector<std::string> ChildProcess::messages() const {
+  std::vector<std::string> lines;
+  std::string line;
+  for (const char c : message_text() + '\n') {
+    if (c != '\n' && c != '\r')
+      line += c;
+    else if (!line.empty())
+      lines.push_back(base::printable(std::exchange(line, {})));
+  }
+  return lines;
 }
 
 base::Status ChildProcess::write(base::Bytes bytes) {
@@ -136,7 +147,8 @@ base::Status ChildProcess::finish() {
     if (errno != EINTR) return system_error(name_.c_str(), errno);
   process_ = -1;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return base::Ok{};
-  std::string message = last_message();
+  const std::vector<std::string> said = messages();
+  std::string message = said.empty() ? std::string() : said.back();
   // Ours begins its lines with its name, as it stands here anyway.
   if (const std::string own = name_ + ": "; message.starts_with(own)) message.erase(0, own.size());
   return base::error(ErrorCode::kIo, "{} failed: {}", name_,

@@ -23,12 +23,14 @@ class ChildProcess {
   // Ends its input and waits for it. Fails unless its exit status is 0; the error has the last line that it
   // wrote to standard error. Nothing is left to say once it has been waited for, here or in write().
   base::Status finish();
+  // The last lines that it has written to standard error until now.
+  std::vector<std::string> messages() const;
 
  private:
   ChildProcess(std::string name, int process, int input, int messages)
       : name_(std::move(name)), process_(process), input_(input), messages_(messages) {}
   void close_input();
-  std::string last_message() const;
+  std::string message_text() const;
 
   std::string name_;
   int process_ = -1;   // -1: has ended

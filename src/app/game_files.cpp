@@ -39,13 +39,19 @@ bool is_without_data(const GameFolders& folders) {
 }
 
 // In a build tree and an unpacked archive, and where `make install` and the package put it.
-constexpr std::array kShippedGame = {"game", "../share/games/temblor"};
+constexpr const char* kInstalledGame = "../share/games/temblor";
+constexpr std::array kShippedGame = {"game", kInstalledGame};
+
+std::filesystem::path beside_program(const char* place) {
+  std::error_code failure;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failure);
+  return (program.parent_path() / place).lexically_normal();
+}
 
 std::optional<std::filesystem::path> find_shipped_game() {
   std::error_code failure;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failure);
   for (const char* const place : kShippedGame) {
-    const std::filesystem::path folder = (program.parent_path() / place).lexically_normal();
+    const std::filesystem::path folder = beside_program(place);
     if (std::filesystem::exists(folder / "id1/gfx/palette.lmp", failure)) return folder;
   }
   return {};
@@ -61,6 +67,11 @@ base::Result<std::filesystem::path> find_base_folder(const GameFolders& folders)
       base::ErrorCode::kNotFound,
       "no game data: the current folder holds no id1, and the game that comes with Temblor is not "
       "beside the program; name the folder that holds id1 with --basedir DIR");
+}
+
+bool is_installed_game(const std::filesystem::path& base_folder) {
+  std::error_code failure;  // one of them is not there
+  return std::filesystem::equivalent(base_folder, beside_program(kInstalledGame), failure);
 }
 
 base::Result<vfs::FileSystem> open_files(const GameFolders& folders) {

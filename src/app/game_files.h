@@ -16,6 +16,9 @@ namespace temblor::app {
 // The folder that --basedir names, or the current one where it holds id1, or the shipped game's, which lies
 // beside the program or where it is installed; else fails, saying what to do.
 base::Result<std::filesystem::path> find_base_folder(const GameFolders& folders);
+// Whether it is that of the game that was installed with this program: not for writing to, even by those who
+// may.
+bool is_installed_game(const std::filesystem::path& base_folder);
 base::Result<vfs::FileSystem> open_files(const GameFolders& folders);
 
 // The palette that the level made in code is painted with, and what follows from it.

@@ -32,9 +32,15 @@ class Window {
   base::LargeMemory<std::uint32_t> pixels_;
 };
 
+struct PlayedOnce {
+  Samples samples;
+  std::vector<std::string> notes;
+};
+
 // The recording once, from its beginning, with nothing built.
-base::Result<Samples> play_through(const LoadedDemo& demo, const client::PresentationSettings& presentation,
-                                   const MeasureOptions& options, Measurement& io_result) {
+base::Result<PlayedOnce> play_through(const LoadedDemo& demo,
+                                      const client::PresentationSettings& presentation,
+                                      const MeasureOptions& options, Measurement& io_result) {
   TRY(const client::DemoLength length, client::DemoPlayer::scan(demo.bytes, demo.name));
   const FrameOptions frame_options{
       .size = options.size, .format = options.format, .fov_deg = options.fov_deg, .threads = {}};
@@ -65,8 +71,7 @@ base::Result<Samples> play_through(const LoadedDemo& demo, const client::Present
     io_result.surfaces_built += stats.surfaces_built;
     io_result.cache_bytes = stats.cache_bytes;
   }
-  for (const std::string& note : run.take_notes()) print_note(note);
-  return samples;
+  return PlayedOnce{std::move(samples), run.take_notes()};
 }
 
 }  // namespace
@@ -76,15 +81,16 @@ base::Result<Measurement> measure_demo(const LoadedDemo& demo,
                                        const MeasureOptions& options) {
   Measurement result;
   result.options = options;
-  TRY(Samples samples, play_through(demo, presentation, options, result));
+  TRY(PlayedOnce played, play_through(demo, presentation, options, result));
+  for (const std::string& note : played.notes) print_note(note);
   for (int i = 1; i < options.runs; ++i) {
     Measurement again;
-    TRY(const Samples others, play_through(demo, presentation, options, again));
-    samples.keep_quickest(others);
+    TRY(const PlayedOnce other, play_through(demo, presentation, options, again));
+    played.samples.keep_quickest(other.samples);
   }
   const auto pixels =
       static_cast<std::size_t>(options.size.width) * static_cast<std::size_t>(options.size.height);
-  samples.summarize(pixels, result);
+  played.samples.summarize(pixels, result);
   return result;
 }
 

@@ -33,7 +33,8 @@ using base::ErrorCode;
 
 constexpr std::size_t kSpreadFrames = 8;
 constexpr float kFovDeg = 30;
-constexpr double kMargin = 1.05;  // of what a picture shows around what must be seen
+constexpr double kMargin = 1.05;             // of what a picture shows around what must be seen
+constexpr std::size_t kMostSide_px = 16384;  // of a sheet
 constexpr double kRoomSide = 3072, kRoomHeight = 1536, kWall = 16;  // units
 
 struct View {
@@ -242,6 +243,23 @@ base::Status check_views(const std::vector<std::string>& views) {
   return base::Ok{};
 }
 
+// Of one view: as square as it can be.
+struct Grid {
+  int columns = 1, rows_a_view = 1;
+};
+
+base::Result<Grid> grid_for(std::size_t frames, std::size_t views, const SheetOptions& options) {
+  const auto square = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(frames) * 1.5)));
+  const std::size_t columns = views > 1 ? frames : std::min(frames, square);
+  const std::size_t rows_a_view = (frames + columns - 1) / columns;
+  const auto cell = static_cast<std::size_t>(options.cell_px);
+  if (std::max(columns, rows_a_view * views) * cell > kMostSide_px)
+    return base::error(ErrorCode::kUsage,
+                       "--frames, --views, --cell: the picture would be {} x {} pixels; a side is {} at most",
+                       columns * cell, rows_a_view * views * cell, kMostSide_px);
+  return Grid{static_cast<int>(columns), static_cast<int>(rows_a_view)};
+}
+
 void copy_into(const render::FrameBuffer& picture, int left, int top, render::FrameBuffer& io_sheet) {
   for (int row = 0; row < picture.height(); ++row) {
     const auto from = picture.rgb().begin() + std::ptrdiff_t{row} * picture.width();
@@ -258,17 +276,15 @@ base::Status draw_model_sheet(const std::filesystem::path& model_file, const She
   TRY(const std::vector<std::uint32_t> frames, chosen_frames(mdl, options.frames));
   const std::vector<std::string> views = split(options.views);
   TRY_STATUS(check_views(views));
+  TRY(const Grid grid, grid_for(frames.size(), views.size(), options));
   base::Jobs jobs(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   Studio studio = set_up(mdl, frames);
   studio.palette = palette_for(model_file);
   TRY(studio.level, make_studio(studio.palette, options.light, jobs));
   studio.model = render::make_alias_model(mdl, model_file.string());
 
-  // Of one view: as square as it can be.
   const auto count = static_cast<int>(frames.size());
-  const int columns =
-      views.size() > 1 ? count : std::min(count, static_cast<int>(std::ceil(std::sqrt(count * 1.5))));
-  const int rows_a_view = (count + columns - 1) / columns;
+  const auto [columns, rows_a_view] = grid;
   const int cell = options.cell_px;
   render::FrameBuffer sheet(columns * cell, rows_a_view * cell * static_cast<int>(views.size()),
                             render::PixelFormat::kRgb);

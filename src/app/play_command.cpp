@@ -55,7 +55,7 @@ host::Services services_for(platform::Window& window, bool silent) {
           .secret = any_secret()};
 }
 
-// Where saved games go that may not lie beside the game's data.
+// Where settings, saved games and the like go that may not lie beside the game's data.
 std::filesystem::path user_folder() {
   const char* const data = std::getenv("XDG_DATA_HOME");
   if (data != nullptr && *data != 0) return std::filesystem::path(data) / "temblor";
@@ -118,7 +118,9 @@ base::Status run_play(const PlayOptions& options, const CommonOptions& common,
   Interrupt interrupt;
   TRY_STATUS(apply_command_line(options, common, variables.variables()));
   TRY(const std::filesystem::path base_folder, find_base_folder(common.folders));
-  TRY(PlayWatch watch, PlayWatch::begin(options.watch, base_folder, common));
+  const host::GameFolders folders{base_folder, common.folders.games, user_folder(),
+                                  is_installed_game(base_folder)};
+  TRY(PlayWatch watch, PlayWatch::begin(options.watch, folders));
   base::Result<std::unique_ptr<platform::Window>> opened =
       platform::sdl2::open_window("Temblor", variables.window());
   if (!opened.ok())
@@ -129,7 +131,7 @@ base::Status run_play(const PlayOptions& options, const CommonOptions& common,
         opened.error().message());
   const std::unique_ptr<platform::Window> window = std::move(*opened);
   host::HostOptions host_options{
-      .folders = {base_folder, common.folders.games, user_folder()},
+      .folders = folders,
       .program_file = options.program.empty() ? watch.program() : options.program,
       .commands = first_commands(options, watch.level()),
       .version = "Temblor " TEMBLOR_VERSION,

@@ -12,30 +12,33 @@ namespace {
 
 constexpr double kLookEvery_s = 0.2;
 
-base::Status run_compiler(const std::vector<std::string>& words) {
-  TRY(ChildProcess compiler, ChildProcess::start(words));
-  return compiler.finish();
-}
-
 // This program once more, in a process of its own: a map that upsets the compiler must not end the game.
 std::vector<std::string> compiler_words(const std::filesystem::path& map, const std::filesystem::path& level,
-                                        const std::filesystem::path& base_folder,
-                                        const CommonOptions& common) {
+                                        const host::GameFolders& folders) {
   std::vector<std::string> words = {std::filesystem::read_symlink("/proc/self/exe").string(), "--basedir",
-                                    base_folder.string()};
-  for (const std::string& game : common.folders.games) words.insert(words.end(), {"--game", game});
+                                    folders.base_folder.string()};
+  for (const std::string& game : folders.games) words.insert(words.end(), {"--game", game});
   words.insert(words.end(), {"compile", map.string(), "-o", level.string()});
   return words;
 }
 
+std::string echo_of(const std::string& line) {
+  return command::join_words({"echo", line});
+}
+
 }  // namespace
 
+PlayWatch::Compiled PlayWatch::run_compiler(const std::vector<std::string>& words) {
+  TRY(ChildProcess compiler, ChildProcess::start(words));
+  TRY_STATUS(compiler.finish());
+  return compiler.messages();
+}
+
 base::Result<PlayWatch> PlayWatch::begin(const std::vector<std::string>& files,
-                                         const std::filesystem::path& base_folder,
-                                         const CommonOptions& common) {
+                                         const host::GameFolders& folders) {
   PlayWatch watch;
-  const std::filesystem::path game =
-      base_folder / (common.folders.games.empty() ? "id1" : common.folders.games.back());
+  if (files.empty()) return watch;
+  TRY(const host::MountedGames games, host::mount_games(folders));
   for (const std::string& name : files) {
     const std::filesystem::path file = name;
     const FileStamp stamp = stamp_of(file);
@@ -48,28 +51,34 @@ base::Result<PlayWatch> PlayWatch::begin(const std::vector<std::string>& files,
     if (file.extension() != ".map" && file.extension() != ".bsp")
       return base::error(base::ErrorCode::kUsage, "{}: --watch takes a .map, a .bsp or a progs.dat", name);
     watch.level_ = file.stem().string();
-    const std::filesystem::path level = game / "maps" / (watch.level_ + ".bsp");
-    if (file.extension() == ".map") {
+    const std::filesystem::path level = games.write_folders.back() / "maps" / (watch.level_ + ".bsp");
+    const bool is_map = file.extension() == ".map";
+    if (is_map) {
       std::error_code ignored;
       std::filesystem::create_directories(level.parent_path(), ignored);
-      Map map{compiler_words(file, level, base_folder, common), {}};
+      Map map{compiler_words(file, level, folders), {}};
       map.watch.add({stamp});
-      TRY_STATUS(run_compiler(map.compile));
+      TRY(const std::vector<std::string> said, run_compiler(map.compile));
+      for (const std::string& line : said) watch.lines_.push_back(echo_of(line));
       watch.maps_.push_back(std::move(map));
     }
-    watch.played_.add({stamp_of(level)});
+    const std::string played = games.files.where("maps/" + watch.level_ + ".bsp");
+    watch.played_.add({stamp_of(is_map || played.empty() ? level : std::filesystem::path(played))});
   }
   return watch;
 }
 
 std::vector<std::string> PlayWatch::look(double now_s) {
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = std::exchange(lines_, {});
   if (now_s - looked_at_s_ < kLookEvery_s) return lines;
   looked_at_s_ = now_s;
   if (compiling_ && compiling_->wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-    const base::Status compiled = compiling_->get();
+    const Compiled compiled = compiling_->get();
     compiling_.reset();
-    if (!compiled.ok()) lines.push_back(command::join_words({"echo", compiled.error().message()}));
+    if (!compiled.ok())
+      lines.push_back(echo_of(compiled.error().message()));
+    else
+      for (const std::string& line : *compiled) lines.push_back(echo_of(line));
   }
   for (Map& map : maps_)
     if (!compiling_ && map.watch.has_changed()) {

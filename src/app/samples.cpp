@@ -1,6 +1,9 @@
 #include "app/samples.h"
 
 #include <algorithm>
+#include <numeric>
+
+#include "base/check.h"
 
 namespace temblor::app {
 
@@ -9,6 +12,7 @@ void Samples::reserve(std::size_t count) {
        {&frame_ms, &client_ms, &render_ms, &present_ms, &floor_ms, &faces_in_pvs, &faces_drawn, &faces_seen,
         &edges, &spans, &surfaces, &texels_read, &models, &triangles, &particles})
     samples->reserve(count);
+  stages.reserve(count);
 }
 
 void Samples::add(const render::FrameStats& stats) {
@@ -22,20 +26,19 @@ void Samples::add(const render::FrameStats& stats) {
   models.push_back(stats.models);
   triangles.push_back(stats.triangles);
   particles.push_back(stats.particles);
-  for (std::size_t stage = 0; stage < render::kStages; ++stage) {
-    stage_ms[stage] += stats.stages.ms[stage];
-    stage_cycles[stage] += stats.stages.cycles[stage];
-  }
+  stages.push_back(stats.stages);
 }
 
 void Samples::keep_quickest(const Samples& others) {
-  const std::size_t count = std::min(frame_ms.size(), others.frame_ms.size());
-  for (std::size_t i = 0; i < count; ++i) {
+  CHECK(others.frame_ms.size() == frame_ms.size(), "{} and {} frames", frame_ms.size(),
+        others.frame_ms.size());
+  for (std::size_t i = 0; i < frame_ms.size(); ++i) {
     if (others.frame_ms[i] < frame_ms[i]) {
       frame_ms[i] = others.frame_ms[i];
       client_ms[i] = others.client_ms[i];
       render_ms[i] = others.render_ms[i];
       present_ms[i] = others.present_ms[i];
+      stages[i] = others.stages[i];
     }
     floor_ms[i] = std::min(floor_ms[i], others.floor_ms[i]);
   }
@@ -66,9 +69,12 @@ void Samples::summarize(std::size_t pixels, Measurement& io_result) const {
   io_result.triangles = distribution_of(triangles);
   io_result.particles = distribution_of(particles);
   const auto frames = static_cast<double>(frame_ms.size());
+  const render::StageTimes sums = std::accumulate(
+      stages.begin(), stages.end(), render::StageTimes{},
+      [](render::StageTimes sum, const render::StageTimes& of_frame) { return sum += of_frame; });
   for (std::size_t stage = 0; stage < render::kStages; ++stage) {
-    io_result.stage_ms[stage] = stage_ms[stage] / frames;
-    io_result.stage_cycles_per_pixel[stage] = stage_cycles[stage] / (frames * static_cast<double>(pixels));
+    io_result.stage_ms[stage] = sums.ms[stage] / frames;
+    io_result.stage_cycles_per_pixel[stage] = sums.cycles[stage] / (frames * static_cast<double>(pixels));
   }
 }
 

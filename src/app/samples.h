@@ -1,7 +1,6 @@
 // Every measured frame's numbers, by kind, and what they come to.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <vector>
 
@@ -23,11 +22,11 @@ struct Samples {
   std::vector<double> frame_ms, client_ms, render_ms, present_ms, floor_ms;
   std::vector<double> faces_in_pvs, faces_drawn, faces_seen, edges, spans, surfaces, texels_read;
   std::vector<double> models, triangles, particles;
-  std::array<double, render::kStages> stage_ms{}, stage_cycles{};  // sums
+  std::vector<render::StageTimes> stages;
 
   void reserve(std::size_t count);
   void add(const render::FrameStats& stats);
-  // Of each frame the quicker one's times; what was counted in it is the same. Stages stay this one's.
+  // Of each frame the quicker one's times. `others` is of the same frames: what was counted is the same.
   void keep_quickest(const Samples& others);
   // Fills in what is worked out from samples.
   void summarize(std::size_t pixels, Measurement& io_result) const;

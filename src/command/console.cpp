@@ -39,7 +39,7 @@ void Console::add_member(std::string_view name, std::string_view help, Member me
     set_argument_list(name, [this, arguments] { return candidates_of(arguments, ""); });
 }
 
-bool Console::has_room_for(std::string_view text) const {
+bool Console::has_room_for(std::string_view text) {
   if (text_.size() - done_ + text.size() + 1 <= kMaxPendingChars) return true;
   print_error(fmt::format("too many commands are waiting: {} characters refused", text.size()));
   return false;
@@ -116,13 +116,13 @@ bool Console::may_expand(std::string_view name, std::string_view text) {
   return false;
 }
 
-void Console::print_error(std::string_view line) const {
+void Console::print_error(std::string_view line) {
   if (!is_in_file()) return print(line);
   ++errors_in_files_;
   print(fmt::format("{}:{}: {}", base::quotable(place_.file), place_.line, line));
 }
 
-void Console::print_if_error(const base::Status& status) const {
+void Console::print_if_error(const base::Status& status) {
   if (!status.ok()) print_error(status.error().message());
 }
 

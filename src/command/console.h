@@ -62,7 +62,7 @@ class Console {
 
   // Prints what is wrong with the command that runs, with the place it has in a file. Commands from outside
   // tell their errors by it.
-  void print_error(std::string_view line) const;
+  void print_error(std::string_view line);
   // How many of them were with commands of files, so far.
   std::size_t errors_in_files() const { return errors_in_files_; }
   // Whether the command that runs is written in a file, and not typed.
@@ -109,14 +109,14 @@ class Console {
   // For the word behind `words`, which are not none.
   void complete_argument(Arguments words, std::string_view prefix, Completion& io_completion) const;
   // Whether `text` may join what is pending; if not, says so.
-  bool has_room_for(std::string_view text) const;
+  bool has_room_for(std::string_view text);
   void insert(std::string_view text, Part part);
   // The next pending command, and place_ with it.
   std::string take_command();
   // Whether another alias or file, of that text, may be opened; if not, says so and drops what is pending.
   bool may_expand(std::string_view name, std::string_view text);
   void print(std::string_view line) const { output_(line); }
-  void print_if_error(const base::Status& status) const;
+  void print_if_error(const base::Status& status);
 
   void alias_command(Arguments arguments);
   void unalias_command(Arguments arguments);
@@ -136,7 +136,7 @@ class Console {
   void inc_command(Arguments arguments);
   void variable_command(const Variable& variable, Arguments arguments);
   // Null, and says so, when there is none.
-  const Variable* find_variable(std::string_view name) const;
+  const Variable* find_variable(std::string_view name);
 
   Variables& variables_;
   Output output_;
@@ -148,7 +148,7 @@ class Console {
   std::vector<Part> parts_;  // the first part last; what is behind them was appended
   Place place_;              // of the command that runs
   bool waiting_ = false;
-  mutable std::size_t errors_in_files_ = 0;
+  std::size_t errors_in_files_ = 0;
   int expansions_ = 0;  // since run() began
   std::size_t expanded_chars_ = 0;
 };

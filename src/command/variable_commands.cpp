@@ -43,7 +43,7 @@ void Console::add_variable_commands() {
              kNothing);
 }
 
-const Variable* Console::find_variable(std::string_view name) const {
+const Variable* Console::find_variable(std::string_view name) {
   const Variable* const variable = variables_.find(name);
   if (variable == nullptr) print_error(fmt::format("there is no variable \"{}\"", base::quotable(name)));
   return variable;

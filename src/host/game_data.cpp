@@ -16,23 +16,14 @@ bool can_write_to(const std::filesystem::path& folder) {
 }
 
 std::filesystem::path folder_to_write(const GameFolders& folders, const std::filesystem::path& game) {
-  if (folders.user_folder.empty() || can_write_to(game)) return game;
+  if (folders.user_folder.empty() || (!folders.is_installed && can_write_to(game))) return game;
   return folders.user_folder / game.filename();
 }
 
 }  // namespace
 
-GameData::GameData(vfs::FileSystem files, assets::Look own_look, std::vector<std::filesystem::path> folders)
-    : library(std::move(files)),
-      write_folders(std::move(folders)),
-      write_folder(write_folders.back()),
-      look(own_look),
-      presentation(library),
-      renderer(look.palette, look.colormap) {}
-
-base::Result<std::unique_ptr<GameData>> GameData::open(const GameFolders& folders) {
+base::Result<MountedGames> mount_games(const GameFolders& folders) {
   TRY(vfs::FileSystem files, vfs::FileSystem::open(folders.base_folder, folders.games));
-  TRY(const assets::Look look, assets::load_look(files));
   std::vector<std::filesystem::path> write_folders;
   std::error_code ignored;
   for (const std::filesystem::path& game : files.folders()) {
@@ -41,8 +32,24 @@ base::Result<std::unique_ptr<GameData>> GameData::open(const GameFolders& folder
     const bool has_other = std::filesystem::exists(folders.user_folder / game.filename(), ignored);
     write_folders.push_back(is_last || has_other ? folder_to_write(folders, game) : game);
   }
+  for (std::size_t game = 0; game < write_folders.size(); ++game)
+    if (write_folders[game] != files.folders()[game]) TRY_STATUS(files.mount_over(game, write_folders[game]));
   std::filesystem::create_directories(write_folders.back(), ignored);
-  return std::make_unique<GameData>(std::move(files), look, std::move(write_folders));
+  return MountedGames{std::move(files), std::move(write_folders)};
+}
+
+GameData::GameData(MountedGames games, assets::Look own_look)
+    : library(std::move(games.files)),
+      write_folders(std::move(games.write_folders)),
+      write_folder(write_folders.back()),
+      look(own_look),
+      presentation(library),
+      renderer(look.palette, look.colormap) {}
+
+base::Result<std::unique_ptr<GameData>> GameData::open(const GameFolders& folders) {
+  TRY(MountedGames games, mount_games(folders));
+  TRY(const assets::Look look, assets::load_look(games.files));
+  return std::make_unique<GameData>(std::move(games), look);
 }
 
 }  // namespace temblor::host

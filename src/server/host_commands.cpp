@@ -142,7 +142,7 @@ void profile(Server& io_server) {
 }
 
 void entity(Server& io_server, Arguments arguments) {
-  const command::Console& console = io_server.console();
+  command::Console& console = io_server.console();
   if (!io_server.game()) return console.print_error("edict: no level is running");
   const std::optional<std::int64_t> number = command::parse_whole_number(arguments[1]);
   if (!number) return console.print_error(not_a_number("edict", arguments[1]));

@@ -97,7 +97,7 @@ void Server::take_up(LoadedGame loaded) {
 base::Status Server::start_map(std::string_view map) {
   TRY(LoadedGame loaded, load_game(request_for(map), setup_.settings, services()));
   TRY(const SpawnParameters parameters, loaded.game->new_parameters());
-  save_before_leaving();
+  save_unasked();
   take_up(std::move(loaded));
   autosave_.begin_game();
   last_save_.clear();
@@ -316,7 +316,7 @@ void Server::do_requests() {
 
 void Server::shut_down(std::string_view reason) {
   if (recorder_) print_if_error(stop_recording());
-  save_before_leaving();
+  save_unasked();
   clients_.print_everyone(fmt::format("{}\n", reason));
   clients_.send_waiting();
   for (std::size_t slot = 0; slot < clients_.size(); ++slot)

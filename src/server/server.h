@@ -156,7 +156,7 @@ class Server {
   void take_in_bots();
   void clear_flashes();
   void autosave();
-  void save_before_leaving();
+  void save_unasked();
   bool can_autosave() const;
   bool takes_last_save(std::string_view commands) const;
 

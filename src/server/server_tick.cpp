@@ -257,11 +257,11 @@ void Server::autosave() {
                    .stands = player.move_type() != MoveType::kWalk || player.has_flag(flag::kOnGround) ||
                              player[field::kWaterLevel] > 0},
                   now_s_);
-  if (autosave_.is_due(setup_.settings.autosave_s(), now_s_)) save_before_leaving();
+  if (autosave_.is_due(setup_.settings.autosave_s(), now_s_)) save_unasked();
 }
 
-// Also in the middle of a game. One that fails is tried again when the next is due.
-void Server::save_before_leaving() {
+// In the middle of a game, or because it is left. One that fails is tried again when the next is due.
+void Server::save_unasked() {
   if (!saves_when_left()) return;
   const std::string name = autosave_.choose_name(setup_.write_folder);
   if (const base::Status saved = save(name); saved.ok())

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/check.h"
 #include "base/text.h"
 #include "formats/archive.h"
 #include "formats/pak.h"
@@ -115,14 +116,20 @@ base::Result<FileSystem> FileSystem::open(const fs::path& base_folder, std::span
 
 base::Status FileSystem::mount_game(const fs::path& folder) {
   folders_.push_back(folder);
-  TRY_STATUS(mount_loose_files(folder));
+  TRY_STATUS(mount_loose_files(folder, folders_.size() - 1));
   TRY(const std::vector<FolderEntry> entries, list_folder(folder));
   for (const fs::path& path : find_paks(entries)) TRY_STATUS(mount_pak(path));
   for (const fs::path& path : find_pk3s(entries)) TRY_STATUS(mount_pk3(path));
   return base::Ok{};
 }
 
-base::Status FileSystem::mount_loose_files(const fs::path& folder) {
+base::Status FileSystem::mount_over(std::size_t game, const fs::path& folder) {
+  CHECK(game < folders_.size(), "{} of {}", game, folders_.size());
+  std::error_code ignored;
+  return fs::is_directory(folder, ignored) ? mount_loose_files(folder, game) : base::Ok{};
+}
+
+base::Status FileSystem::mount_loose_files(const fs::path& folder, std::size_t game) {
   struct Pending {
     fs::path path;
     std::string prefix;  // of the names of its files
@@ -138,7 +145,7 @@ base::Status FileSystem::mount_loose_files(const fs::path& folder) {
       if (entry.is_folder)
         pending.push_back({entry.path, name + '/'});
       else
-        add_file(name, {.path = entry.path});
+        add_file(name, {.path = entry.path, .game = game});
     }
   }
   return base::Ok{};
@@ -156,7 +163,8 @@ base::Status FileSystem::mount_pak(const fs::path& path) {
       formats::read_pak_directory(directory, archive_bytes).with_file(path.string()));
   // Backwards: of entries with the same name the first one counts.
   for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry)
-    add_file(entry->name, {.path = path, .range = Range{entry->offset, entry->size}});
+    add_file(entry->name,
+             {.path = path, .range = Range{entry->offset, entry->size}, .game = folders_.size() - 1});
   return base::Ok{};
 }
 
@@ -166,7 +174,8 @@ base::Status FileSystem::mount_pk3(const fs::path& path) {
   TRY(formats::Pk3 opened, formats::read_pk3(std::move(bytes)).with_file(path.string()));
   const auto pk3 = std::make_shared<const formats::Pk3>(std::move(opened));
   for (std::size_t i = 0; i < pk3->entries().size(); ++i)
-    add_file(pk3->entries()[i].name, {.path = path, .pk3 = pk3, .pk3_position = i});
+    add_file(pk3->entries()[i].name,
+             {.path = path, .pk3 = pk3, .pk3_position = i, .game = folders_.size() - 1});
   return base::Ok{};
 }
 
@@ -174,7 +183,8 @@ base::Status FileSystem::mount_pk3(const fs::path& path) {
 void FileSystem::add_file(std::string_view name, File file) {
   std::optional<std::string> normalized = normalized_name(name);
   if (!normalized) return;
-  file.game = folders_.size() - 1;
+  const auto found = files_.find(*normalized);
+  if (found != files_.end() && found->second.game > file.game) return;
   files_.insert_or_assign(std::move(*normalized), std::move(file));
 }
 

@@ -4,7 +4,8 @@
 //   game folders: id1, then each game in the order given;
 //   in a game folder: its loose files, then pak0.pak, pak1.pak, ... up to the first number that is missing,
 //   then its *.pk3 in alphabetical order.
-// So archives win over loose files of the same folder, as in the original.
+// So archives win over loose files of the same folder, as in the original. What somebody keeps elsewhere for
+// a game (mount_over) wins over both.
 //
 // Names are those of the data: relative, '/' between parts ('\' is taken for '/'), case does not matter.
 #pragma once
@@ -34,8 +35,8 @@ constexpr std::uint64_t kMaxPk3Bytes = std::uint64_t{1} << 30;
 // leads outside ("..").
 std::optional<std::string> normalized_name(std::string_view name);
 
-// Folders and archive tables are read once, by open(); files that appear later are not seen. Reading is
-// const and may be done from several threads.
+// Folders and archive tables are read once, when they are mounted; files that appear later are not seen.
+// Reading is const and may be done from several threads.
 class FileSystem {
  public:
   // `games`: names of folders in base_folder, case does not matter; "id1" need not be among them. kNotFound
@@ -43,6 +44,10 @@ class FileSystem {
   // that is damaged is an error that names it.
   static base::Result<FileSystem> open(const std::filesystem::path& base_folder,
                                        std::span<const std::string> games = {});
+
+  // Loose files of a folder elsewhere, as if they were those of game folder number `game` and its archives
+  // did not have them; its folders are still those of open(). A folder that is not there has none.
+  base::Status mount_over(std::size_t game, const std::filesystem::path& folder);
 
   // The file's bytes. kNotFound says which folders were searched.
   base::Result<base::ByteVector> read(std::string_view name) const;
@@ -80,9 +85,10 @@ class FileSystem {
   // `description` as of describe().
   static base::Result<base::ByteVector> read_file(const File& file, const std::string& description);
   base::Status mount_game(const std::filesystem::path& folder);
-  base::Status mount_loose_files(const std::filesystem::path& folder);
+  base::Status mount_loose_files(const std::filesystem::path& folder, std::size_t game);
   base::Status mount_pak(const std::filesystem::path& path);
   base::Status mount_pk3(const std::filesystem::path& path);
+  // Hides one of the same game, or of a lower one.
   void add_file(std::string_view name, File file);
   const File* find(std::string_view name) const;
 

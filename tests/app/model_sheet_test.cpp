@@ -118,6 +118,11 @@ TEST_F(ModelSheet, WrongNamesAreToldWithTheRightOnes) {
   options_.frames = "";
   options_.views = "below";
   EXPECT_THAT(message(), HasSubstr("\"below\" is none of front, side, back, above, quarter, hand"));
+  options_.views = "front,side";
+  options_.cell_px = 1024;
+  for (int i = 0; i < 20; ++i) options_.frames += "0,";
+  EXPECT_THAT(message(), HasSubstr("the picture would be 20480 x 2048 pixels"));
+  options_.frames = "";
   options_.views = "front";
   model_ = folder_.write("progs/level.mdl", "IBSP and so on");
   EXPECT_THAT(message(), HasSubstr("progs/level.mdl"));

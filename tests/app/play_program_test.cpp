@@ -9,6 +9,7 @@
 #include "app/program.h"
 #include "support/background_program.h"
 #include "support/game_data.h"
+#include "support/room_map.h"
 #include "support/small_game.h"
 #include "support/temporary_folder.h"
 
@@ -24,7 +25,7 @@ using ::testing::Not;
   if (!std::filesystem::exists(TEMBLOR_GAME_PROGRAM))                      \
   GTEST_SKIP() << "the game's QuakeC is not compiled: fteqcc is not installed"
 
-// A base folder whose last game folder may be written to.
+// A base folder whose last game folder may be written to, unless that is forbidden.
 class Evening {
  public:
   explicit Evening(const std::filesystem::path& data) {
@@ -32,7 +33,11 @@ class Evening {
     folder_.write("evening/autoexec.cfg", std::string_view("host_maxfps 30\n"));
     std::filesystem::copy_file(TEMBLOR_GAME_PROGRAM, game() / "progs.dat");
   }
-  std::filesystem::path game() const { return folder_.path() / "evening"; }
+  const std::filesystem::path& path() const { return folder_.path(); }
+  std::filesystem::path game() const { return path() / "evening"; }
+  void write(const std::string& name, std::string_view text) const { folder_.write(name, text); }
+  // As far as the program can see, whoever runs the test.
+  void forbid_writing() const { write("evening/.temblor-may-write/x", "x"); }
 
   // In `script`, PLAY before its options stands for the program. What it and the script print.
   std::string run(std::string script) {
@@ -136,6 +141,51 @@ kill $display; wait $display
   EXPECT_THAT(out, HasSubstr("player joins"));
   EXPECT_THAT(out, HasSubstr("ended with 0"));
   EXPECT_THAT(out, Not(HasSubstr("the window")));
+}
+
+// As a package's are for its players.
+TEST(PlayProgram, AWatchedMapIsCompiledToWhereThePlayerMayWrite) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_DISPLAY();
+  Evening evening(data);
+  evening.forbid_writing();
+  evening.write("room.map", "{\n\"classname\" \"worldspawn\"\n" +
+                                walls_text({-128, -128, 0}, {128, 128, 128}, "wall") +
+                                "}\n{\n\"classname\" \"info_player_start\"\n\"origin\" \"0 0 24\"\n}\n");
+  const std::string out = evening.run(R"(
+export XDG_DATA_HOME="$PWD/user"
+PLAY --watch room.map & game=$!
+xdotool search --sync --name Temblor >/dev/null; sleep 3
+printf '{\n"classname" "light"\n"origin" "999 0 0"\n}\n' >>room.map; sleep 4
+kill -TERM $game
+wait $game; echo "ended with $?"
+)");
+  EXPECT_THAT(out, HasSubstr("player joins"));
+  EXPECT_THAT(out, HasSubstr("reloaded"));
+  EXPECT_THAT(out, HasSubstr("temblor: note: "));
+  EXPECT_THAT(out, HasSubstr("999 0 0")) << "what the compiler says of the map is told in the console";
+  EXPECT_THAT(out, HasSubstr("ended with 0"));
+  EXPECT_TRUE(std::filesystem::exists(evening.path() / "user/temblor/evening/maps/room.bsp"));
+  EXPECT_FALSE(std::filesystem::exists(evening.game() / "maps"));
+}
+
+// Even by root, who may.
+TEST(PlayProgram, NothingIsWrittenBesideAnInstalledGame) {
+  SKIP_WITHOUT_DISPLAY();
+  const SmallGame game;
+  const TemporaryFolder prefix;
+  std::filesystem::create_directories(prefix.path() / "bin");
+  std::filesystem::create_directories(prefix.path() / "share/games");
+  std::filesystem::copy_file(TEMBLOR_PROGRAM, prefix.path() / "bin/temblor");
+  std::filesystem::copy(game.path(), prefix.path() / "share/games/temblor",
+                        std::filesystem::copy_options::recursive);
+  prefix.write("home/readme", "");
+  const std::string line = "cd '" + prefix.path().string() +
+                           "/home' && ASAN_OPTIONS=detect_leaks=0 XDG_DATA_HOME=\"$PWD\" xvfb-run -a "
+                           "../bin/temblor play --nosound --duration 2 >out 2>&1";
+  EXPECT_EQ(std::system(line.c_str()), 0) << read_text(prefix.path() / "home/out");
+  EXPECT_TRUE(std::filesystem::exists(prefix.path() / "home/temblor/id1/temblor.cfg"));
+  EXPECT_FALSE(std::filesystem::exists(prefix.path() / "share/games/temblor/id1/temblor.cfg"));
 }
 
 TEST(PlayProgram, WithoutADisplayItSaysSo) {

@@ -130,5 +130,39 @@ TEST(Settings, OfFoldersThatMayNotBeWrittenAreFoundWhateverIsPlayed) {
   EXPECT_EQ(read(), "// the player's of mod");
 }
 
+TEST(GameData, WhatThePlayerMadeIsPlayedWhereTheGameMayNotBeWritten) {
+  const SmallGame game;
+  const TemporaryFolder user;
+  forbid_writing(game, "id1");
+  user.write("id1/maps/small.bsp", std::string_view("mine"));
+  user.write("id1/maps/more.bsp", std::string_view("more"));
+  const auto games = host::mount_games({game.path(), {}, user.path()});
+  ASSERT_TRUE(games.ok());
+  EXPECT_EQ(games->write_folders.back(), user.path() / "id1");
+  EXPECT_EQ(games->files.where("maps/small.bsp"), user.path() / "id1/maps/small.bsp");
+  EXPECT_TRUE(games->files.contains("maps/more.bsp"));
+  EXPECT_TRUE(games->files.contains("gfx/palette.lmp"));
+}
+
+TEST(GameData, OfWritableGamesTheUsersFolderIsAnotherGames) {
+  const SmallGame game;
+  const TemporaryFolder user;
+  user.write("id1/maps/more.bsp", std::string_view("of another id1"));
+  const auto games = host::mount_games({game.path(), {}, user.path()});
+  ASSERT_TRUE(games.ok());
+  EXPECT_EQ(games->write_folders.back(), game.path() / "id1");
+  EXPECT_FALSE(games->files.contains("maps/more.bsp"));
+}
+
+// As root everything may be written.
+TEST(GameData, NothingIsWrittenBesideAnInstalledGame) {
+  const SmallGame game;
+  const TemporaryFolder user;
+  const auto games = host::mount_games({game.path(), {}, user.path() / "new", true});
+  ASSERT_TRUE(games.ok());
+  EXPECT_EQ(games->write_folders.back(), user.path() / "new/id1");
+  EXPECT_TRUE(std::filesystem::is_directory(user.path() / "new/id1"));
+}
+
 }  // namespace
 }  // namespace temblor::test

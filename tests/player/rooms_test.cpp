@@ -106,6 +106,25 @@ TEST(PlayerInRooms, FetchesTheKeyFirst) {
           .reached_exit);
 }
 
+TEST(PlayerInRooms, TellsOfDoorsThatOnlyOpenOneAnother) {
+  const std::string other =
+      entity_text("func_door", "\"targetname\" \"b\"\n\"target\" \"a\"\n\"angle\" \"-1\"",
+                  box_text({200, 240, 0}, {232, 256, 96}, "door"));
+  const player::RunReport report =
+      MadeRooms(hall(wall_with_opening(500),
+                     door(500, "\"targetname\" \"a\"\n\"target\" \"b\"") + other + exit_at_end()))
+          .play();
+  EXPECT_FALSE(report.reached_exit);
+  EXPECT_THAT(report.complaints, Contains(HasSubstr("nothing is left that fires \"a\"")));
+}
+
+// Ways through it would cost less than nothing.
+TEST(PlayerInRooms, IsNotHeldByWhatHeals) {
+  const std::string spring =
+      entity_text("trigger_hurt", "\"dmg\" \"-5\"", box_text({400, 0, 0}, {600, 256, 64}, "trigger"));
+  EXPECT_TRUE(MadeRooms(hall("", spring + exit_at_end())).play().reached_exit);
+}
+
 TEST(PlayerInRooms, TellsWhichKeyIsMissing) {
   const player::RunReport report =
       MadeRooms(hall(wall_with_opening(500), door(500, "\"spawnflags\" \"16\"") + exit_at_end())).play();

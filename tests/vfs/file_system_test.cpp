@@ -143,6 +143,26 @@ TEST(FileSystem, LaterGamesHideEarlierOnes) {
   EXPECT_EQ(again.folders().size(), 3u);
 }
 
+TEST(FileSystem, WhatIsMountedOverAGameHidesItsFilesButNoLaterGames) {
+  const test::TemporaryFolder base_folder, elsewhere;
+  base_folder.write("id1/pak0.pak", pak_of({{"archived", "id1's"}, {"both", "id1's"}}));
+  base_folder.write("id1/loose", "id1's");
+  base_folder.write("mod/both", "the mod's");
+  elsewhere.write("archived", "my");
+  elsewhere.write("loose", "my");
+  elsewhere.write("both", "my");
+  elsewhere.write("maps/new", "my");
+  FileSystem files = open_or_die(base_folder, {"mod"});
+  ASSERT_TRUE(files.mount_over(0, elsewhere.path()).ok());
+  EXPECT_EQ(text_of(files, "archived"), "my");
+  EXPECT_EQ(text_of(files, "loose"), "my");
+  EXPECT_EQ(text_of(files, "maps/new"), "my");
+  EXPECT_EQ(text_of(files, "both"), "the mod's");
+  EXPECT_EQ(files.game_of("maps/new"), 0u);
+  EXPECT_EQ(files.folders().size(), 2u);
+  EXPECT_TRUE(files.mount_over(1, elsewhere.path() / "not there").ok());
+}
+
 TEST(FileSystem, ListsSortedAndOnce) {
   const test::TemporaryFolder base_folder;
   base_folder.write("id1/maps/B.bsp", "");
