@@ -6,9 +6,6 @@ MAPS = start lq_e0m1 lq_e1m2
 # Without game data the program draws the level that it makes in code.
 WITH_DATA = $(if $(TEMBLOR_DATA),--basedir "$(TEMBLOR_DATA)")
 DEMOS = demo1_lite demo2_lite demo3_lite
-# The shipped levels: every place where one may begin, what goes on behind the menu, and walks from start to exit.
-SHIPPED = start t1 t2 t3 tdm1 tdm2 gallery
-TOURS = $(patsubst %,--demo build/release/game/tours/%.dem,start t1 t2 t3)
 BENCHED = $(if $(TEMBLOR_DATA),$(addprefix --map ,$(MAPS)) $(addprefix --demo ,$(DEMOS)))
 
 play:
@@ -22,8 +19,7 @@ bench:
 	cmake --build --preset release --target temblor kernel_bench compile_bench vm_bench server_bench served_bench host_bench game
 	cmake --build --preset release --target shipped_game game_tours
 	build/release/temblor $(WITH_DATA) bench --report $(BENCHED)
-	build/release/temblor --basedir build/release/game bench --threads 2 --runs 3 $(addprefix --map ,$(SHIPPED)) $(addprefix --demo ,$(SHIPPED)) $(TOURS)
-	build/release/temblor --basedir build/release/game bench --threads 2 --runs 3 --demo gallery --size 3840x2160
+	tools/measure_game.sh
 	$(if $(TEMBLOR_DATA),build/release/bench/compile_bench build/release/temblor)
 	build/release/bench/kernel_bench
 	build/release/bench/vm_bench

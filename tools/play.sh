@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # `make play`: builds the program and the game that comes with it, and opens it, or the data that TEMBLOR_DATA names.
+# Options are passed on to it: `tools/play.sh --map t1`.
 # Where there is no display it makes a film of the game's recordings, and a sheet of pictures from it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -23,7 +24,7 @@ if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
   else
     options=(play)
   fi
-  exec "$program" "${options[@]}"
+  exec "$program" "${options[@]}" "$@"
 fi
 
 mkdir -p out

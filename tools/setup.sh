@@ -9,7 +9,7 @@ packages=(g++ make cmake ninja-build pkgconf
   libbenchmark-dev fteqcc ffmpeg dpkg-dev file)
 # Of clang one version, so that every machine formats and warns alike. Without them `make test` skips what needs them.
 # DarkPlaces and quakestat are peers to play with, Xvfb the display of the first; iproute2 makes a network bad.
-checkers=(git parallel iproute2 fteqcc qstat darkplaces darkplaces-server xvfb xauth xdotool weston quakespasm
+checkers=(git parallel iproute2 fteqcc qstat darkplaces darkplaces-server xvfb xauth xdotool weston quakespasm imagemagick
   clang-16 libclang-rt-16-dev clang-format-14 clang-tidy-14)
 
 # One question for all of them: `make play` waits for the answer.

@@ -168,6 +168,8 @@ class Run {
     return session_->client(0).state().game().ending != client::Ending::kNone;
   }
 
+  bool is_in_level() const { return session_->has_game() && session_->game().setup().map_name == map_name_; }
+
   void count() {
     const vm::Machine& machine = session_->game().machine();
     const auto whole = [&](vm::GlobalIndex i) { return static_cast<int>(machine.global_float(i)); };
@@ -186,16 +188,16 @@ class Run {
     }
     report_.stuck_monsters = monsters_->stuck();
     report_.idle_monsters = monsters_->idle();
-    if (session_->has_game() && session_->game().setup().map_name == map_name_) {
+    if (is_in_level()) {
       note_doors();
       note_items();
       report_.state_hash = session_->game().state_hash();
     }
-    // The scores stay a moment at a recording's end.
+    // The scores stay a moment at a recording's end. An exit without scores leads on at once.
     for (auto& move : moves_) move.buttons = 0;
     if (setup_.records) {
       for (const double until_s = session_->now_s() + kEpilogue_s;
-           session_->now_s() < until_s && report_.reached_exit && session_->has_game();)
+           session_->now_s() < until_s && report_.reached_exit && is_in_level();)
         session_->step(moves_);
       if (auto bytes = session_->client(0).finish_recording()) report_.recording = std::move(*bytes);
     }
