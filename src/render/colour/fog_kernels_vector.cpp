@@ -144,6 +144,25 @@ HWY_INLINE hn::Vec<DF> PieceOf(const float* table, hn::Vec<DI> pieces) {
 #endif
 }
 
+// The curve's polynomial at x. Neighbours nearly always lie on one piece of it, whose coefficients are the
+// same for all lanes.
+HWY_INLINE hn::Vec<DF> CurveAt(const FogCurve& curve, hn::Vec<DF> x) {
+  const DF d;
+  const DI di;
+  const auto pieces = hn::And(hn::ShiftRight<22>(hn::BitCast(di, x)), hn::Set(di, kFogPieces - 1));
+  const int piece = hn::GetLane(pieces);
+  if (HWY_LIKELY(hn::AllTrue(di, hn::Eq(pieces, hn::Set(di, piece))))) {
+    auto share = hn::Set(d, curve.cubic[3][piece]);
+    for (int power = 2; power >= 0; --power)
+      share = hn::Add(hn::Mul(share, x), hn::Set(d, curve.cubic[power][piece]));
+    return share;
+  }
+  auto share = PieceOf(curve.cubic[3], pieces);
+  for (int power = 2; power >= 0; --power)
+    share = hn::Add(hn::Mul(share, x), PieceOf(curve.cubic[power], pieces));
+  return share;
+}
+
 // In 256ths, of the depths from pixel i of the row on.
 template <bool kPerspective, bool kHasSky>
 HWY_INLINE hn::Vec<DI> Share256(const FogRow& row, int i, const float* depths) {
@@ -154,11 +173,7 @@ HWY_INLINE hn::Vec<DI> Share256(const FogRow& row, int i, const float* depths) {
   auto x = kPerspective ? hn::Mul(depth, rate)
                         : hn::Div(rate, hn::Max(hn::Neg(depth), hn::Set(d, kLeastDistance)));
   x = hn::Max(hn::Min(x, hn::Set(d, kMostNearness)), hn::Set(d, kLeastNearness));
-  const auto piece = hn::And(hn::ShiftRight<22>(hn::BitCast(di, x)), hn::Set(di, kFogPieces - 1));
-  auto share = PieceOf(row.curve->cubic[3], piece);
-  for (int power = 2; power >= 0; --power)
-    share = hn::Add(hn::Mul(share, x), PieceOf(row.curve->cubic[power], piece));
-  const auto whole = hn::ConvertTo(di, share);
+  const auto whole = hn::ConvertTo(di, CurveAt(*row.curve, x));
   if (!kHasSky) return whole;
   const auto lane = hn::Add(hn::Iota(d, 0.0f), hn::Set(d, static_cast<float>(i)));
   const auto sky = hn::Add(hn::Set(d, row.sky), hn::Mul(lane, hn::Set(d, row.sky_step)));

@@ -30,7 +30,9 @@ struct Axis {
   }
 };
 
-constexpr std::size_t kRowsAJob = 16;
+// Pixels. Each comes from one of 33 rows around its own (at 1080 rows), in an order that no processor
+// foresees: 250 KB of whole rows, of a tile 50 KB, most of which the first-level cache keeps.
+constexpr std::size_t kTileColumns = 128, kTileRows = 64;
 
 }  // namespace
 
@@ -77,12 +79,16 @@ void Warp::move_pixels(std::span<const Pixel> pixels, Spare<Pixel>& io_spare, co
                        base::Jobs& jobs, FrameBuffer& io_frame) {
   const std::size_t width = column_.size(), height = row_.size();
   reserve(pixels.size(), io_spare);
-  jobs.parallel_for((height + kRowsAJob - 1) / kRowsAJob, [&](std::size_t job) {
-    for (std::size_t y = job * kRowsAJob; y < std::min((job + 1) * kRowsAJob, height); ++y) {
+  const std::size_t across = (width + kTileColumns - 1) / kTileColumns;
+  const std::size_t down = (height + kTileRows - 1) / kTileRows;
+  jobs.parallel_for(across * down, [&](std::size_t tile) {
+    const std::size_t first_x = tile % across * kTileColumns, end_x = std::min(first_x + kTileColumns, width);
+    const std::size_t first_y = tile / across * kTileRows, end_y = std::min(first_y + kTileRows, height);
+    for (std::size_t y = first_y; y < end_y; ++y) {
       const Pixel* const from = pixels.data() + row_[y];
       Pixel* const row = &io_spare.pixels[y * width];
-      for (std::size_t x = 0; x < width; ++x) row[x] = from[column_[x]];
-      if (tint.changes_pixels()) tint.apply(std::span(row, width));
+      for (std::size_t x = first_x; x < end_x; ++x) row[x] = from[column_[x]];
+      if (tint.changes_pixels()) tint.apply(std::span(row + first_x, end_x - first_x));
     }
   });
   io_frame.exchange(io_spare.pixels);

@@ -383,6 +383,9 @@ void DrawSurfaceRunsU32(const SurfaceRuns& runs, const KernelTarget& target) {
   DrawSurfaceRuns<uint32_t>(runs, target);
 }
 
+// What sways leaves a window of texels sooner, the narrower it is: one of eight lanes loses to gathering.
+constexpr int kRepeatingRows = hn::MaxLanes(DI()) < 16 ? 0 : 4;
+
 // A texture that repeats: width and height are powers of two.
 template <typename Texel>
 struct Repeating {
@@ -398,7 +401,7 @@ struct Repeating {
     const Direction direction{hn::ExtractLane(at.column, last) < hn::GetLane(at.column),
                               hn::ExtractLane(at.row, last) < hn::GetLane(at.row)};
     const Rows rows{width, height - 1};
-    temblor::render::HWY_NAMESPACE::Fetch<4>(texels, rows, direction, at, out, count);
+    temblor::render::HWY_NAMESPACE::Fetch<kRepeatingRows>(texels, rows, direction, at, out, count);
   }
 };
 
