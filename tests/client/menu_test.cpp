@@ -100,7 +100,7 @@ TEST(Menu, EveryRowIsReachedByEveryDevice) {
     hand.press(Key::kHome);
     for (int turn = 0; turn < 40; ++turn) {
       for (int y = 0; y < kSmallest.height; y += 4) {
-        hand.point(60, y);
+        hand.point(kSmallest.width * 3 / 8, y);
         pointed.insert(hand.selected().substr(0, 12));
       }
       hand.press(Key::kWheelDown);
