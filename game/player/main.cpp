@@ -47,7 +47,14 @@ int run(int argument_count, char** arguments) {
   program.add_flag("--god", setup.has_god, "Cannot be hurt");
   program.add_flag("--peaceful", is_peaceful, "Does not fight");
   program.add_flag("--verbose", is_verbose, "Tells what it does");
-  CLI11_PARSE(program, argument_count, arguments);
+  try {
+    program.parse(argument_count, arguments);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+      return program.exit(error);  // --help
+    fmt::print(stderr, "game_player: {}\n", error.what());
+    return 2;
+  }
 
   if (waypoints.size() % 3 != 0) {
     fmt::print(stderr, "game_player: --waypoints: each has three numbers, X Y Z\n");

@@ -80,6 +80,17 @@ std::vector<fs::path> wads_of_games(const GameFolders& folders) {
   return wads;
 }
 
+// Whether a WAD of the entry's file name is one of those that are taken anyway: the map means that one.
+bool is_at_hand(const std::string& entry, const TexturePlaces& places) {
+  const auto is_named = [&](const fs::path& wad) {
+    const std::vector<fs::path> beside = compiler::wad_candidates(entry, wad.parent_path(), {});
+    std::error_code ignored;
+    return fs::is_regular_file(wad, ignored) &&
+           std::ranges::find(beside, wad.lexically_normal()) != beside.end();
+  };
+  return std::ranges::any_of(places.wads, is_named) || std::ranges::any_of(places.game_wads, is_named);
+}
+
 base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::path& map_path,
                                          const formats::Map& map, const formats::Palette& palette,
                                          std::vector<FileStamp>& io_stamps, compiler::Warnings& io_warnings) {
@@ -110,7 +121,9 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
       map.entities.empty() ? "" : map.entities.front().fields.find("wad").value_or("");
   for (const std::string& entry : compiler::split_wad_key(key)) {
     constexpr std::size_t kMaxChars = 120;  // paths are long
-    if (!add_first_of(compiler::wad_candidates(entry, map_path.parent_path(), folders), io_stamps, files))
+    const bool is_found =
+        add_first_of(compiler::wad_candidates(entry, map_path.parent_path(), folders), io_stamps, files);
+    if (!is_found && !is_at_hand(entry, places))
       io_warnings.push_back({"WAD not found", fmt::format("{} (--wad FOLDER says where to look)",
                                                           base::quotable(entry, kMaxChars))});
   }

@@ -89,6 +89,7 @@ struct Renderer::State {
   std::vector<base::Arena> band_arenas, job_arenas, model_arenas;
   std::vector<std::uint8_t> pvs_row;
   std::shared_ptr<const world::LevelIdentity> level;
+  bool level_has_liquid = false;
   LevelTables level_tables;
   FaceOutlines face_outlines;
   CutoutTextures cutouts;
@@ -110,9 +111,13 @@ struct Renderer::State {
     job_backend = settings.job_backend;
   }
   void follow_level(const world::Level& now, const FrameBuffer& frame) {
-    if (level == now.identity) return;
-    if (has_liquid(now)) warp.prepare(frame);
+    if (level != now.identity) take_up_level(now);
+    // Also where the picture's size or format has changed since: one dives without waiting for memory.
+    if (level_has_liquid) warp.prepare(frame);
+  }
+  void take_up_level(const world::Level& now) {
     level = now.identity;
+    level_has_liquid = has_liquid(now);
     level_tables = make_level_tables(now);
     face_outlines = make_face_outlines(now);
     cutouts = CutoutTextures(now, colour_tables);

@@ -81,6 +81,17 @@ TEST_F(CompileBadInput, WadsThatAreNoWads) {
   expect_note({"compile", "named.map"}, "nowhere/else.wad");
 }
 
+// The map's `wad` key means the file that --wad gives, wherever that lies.
+TEST_F(CompileBadInput, WadsThatAreGivenByNameAreNotMissed) {
+  fs::create_directory(folder_.path() / "else");
+  folder_.write("room.map", room("\"wad\" \"C:\\quake\\Walls.wad\""));
+  folder_.write("else/walls.wad", std::string("WAD2\0\0\0\0\x0c\0\0\0", 12));
+  expect_note({"compile", "room.map"}, "WAD not found");
+  const ProgramRun run = run_program(folder_.path(), {"compile", "room.map", "--wad", "else/walls.wad"});
+  EXPECT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_THAT(run.err, ::testing::Not(HasSubstr("WAD not found")));
+}
+
 TEST_F(CompileBadInput, FullDiskAndBadPlacesLeaveNothingBehind) {
   folder_.write("room.map", room());
   ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map"}).exit_status, 0);

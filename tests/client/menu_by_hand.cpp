@@ -63,6 +63,8 @@ void register_menu_variables(command::Variables& io_variables) {
   v.add_int("deathmatch", 0, 0, 255, "Players against one another.");
   v.add_int("teamplay", 0, 0, 255, "Whether players of one team hurt each other.");
   v.add_int("fraglimit", 0, 0, 1000000, "Kills that end a deathmatch.");
+  v.add_int("bot_fill", 0, 0, 16, "Players in a deathmatch, made up with bots.");
+  v.add_int("bot_skill", 1, 0, 3, "How well bots fight.");
   v.add_int("topcolor", 4, 0, 13, "Colour of the shirt.");
   v.add_int("bottomcolor", 13, 0, 13, "Colour of the trousers.");
   v.add_int("port", 26000, 0, 65535, "Of games that others may join.");

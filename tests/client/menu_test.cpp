@@ -100,7 +100,7 @@ TEST(Menu, EveryRowIsReachedByEveryDevice) {
     hand.press(Key::kHome);
     for (int turn = 0; turn < 40; ++turn) {
       for (int y = 0; y < kSmallest.height; y += 4) {
-        hand.point(60, y);
+        hand.point(kSmallest.width * 3 / 8, y);
         pointed.insert(hand.selected().substr(0, 12));
       }
       hand.press(Key::kWheelDown);
@@ -402,6 +402,36 @@ TEST(Menu, Hosts) {
   EXPECT_TRUE(hand.go_to("Skill"));
   ASSERT_TRUE(hand.choose("Begin"));
   EXPECT_THAT(hand.commands(), IsSupersetOf({"deathmatch 0", "coop 1", "map e1m7"}));
+}
+
+TEST(Menu, HostsArenasMadeUpWithBots) {
+  MenuContent content = MenuByHand::some_content();
+  content.levels = [] {
+    return std::vector<client::MenuLevel>{
+        {"gallery", "The Gallery"}, {"tdm1", "The Anvil"}, {"tdm2", "The Cistern"}};
+  };
+  MenuByHand hand(content);
+  hand.menu().open(MenuPage::kHost);
+  ASSERT_TRUE(hand.go_to("Bots fill up to"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("Bots fill up to"));
+  for (int i = 0; i < 4; ++i) hand.press(Key::kRightArrow);
+  EXPECT_EQ(hand.variables().find("bot_fill")->text, "4");
+  ASSERT_TRUE(hand.go_to("Bots' skill"));
+  hand.press(Key::kRightArrow);
+  EXPECT_EQ(hand.variables().find("bot_skill")->text, "2");
+  ASSERT_TRUE(hand.choose("Begin"));
+  EXPECT_THAT(hand.commands(), Contains("map tdm1"));
+}
+
+TEST(Menu, TellsTheSavesApartThatItMadeItself) {
+  MenuContent content = MenuByHand::some_content();
+  content.saves = [] {
+    return std::vector<client::MenuSave>{{"autosave2", "The Toll House", 3, 0, 0},
+                                         {"autosave3", "The Fault", 5, 0, 0}};
+  };
+  MenuByHand hand(content);
+  hand.menu().open(MenuPage::kLoad);
+  EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("autosave2"), HasSubstr("autosave3")));
 }
 
 TEST(Menu, PlaysDemosAndSwitchesFolders) {

@@ -133,6 +133,19 @@ TEST(BadMaps, AreToldAndStillALevel) {
             entity_text("worldspawn", "\"fog\" \"0.02 60 66 74\"", walls_text(kRoomMins, kRoomMaxs, "wall")) +
                 start,
             "fog brighter than white: line 1: fog is its density, then red, green and blue from 0 to 1"},
+        Case{entity_text("worldspawn", "\"_fog\" \"a b c d\"", walls_text(kRoomMins, kRoomMaxs, "wall")) +
+                 start,
+             "value that cannot be read: entity 0 (worldspawn), line 1: _fog is \"a b c d\", which should be "
+             "its "
+             "density, or density, red, green and blue; it counts as not given"},
+        Case{room_text() + entity_text("light", "\"origin\" \"0 0 64\"\n\"light\" \"300 lots\""),
+             "value that cannot be read: entity 2 (light), line 57: light is \"300 lots\", which should be a "
+             "number"},
+        Case{room_text() + entity_text("light", "\"origin\" \"0 0\""),
+             "origin is \"0 0\", which should be three"},
+        Case{room_text() +
+                 entity_text("func_wall", "\"_phong\" \"yes\"", box_text({0, 0, 0}, {8, 8, 8}, "bad")),
+             "_phong is \"yes\", which should be a number"},
         Case{entity_text("worldspawn", "", walls_text(kRoomMins, kRoomMaxs, "skip")) + start,
              "nothing is drawn"},
         Case{entity_text("worldspawn", "", box_text(Vec3d(-5e5), Vec3d(5e5), "bad")) + start,
@@ -145,6 +158,18 @@ TEST(BadMaps, AreToldAndStillALevel) {
     EXPECT_THAT(all_of(warnings), HasSubstr(c.warning));
     EXPECT_EQ(fault_of(*result), "") << c.warning;
   }
+}
+
+TEST(BadMaps, ValuesThatCanBeReadOrBelongToOthersAreNotTold) {
+  compiler::Warnings warnings;
+  const auto result = try_draft_of(
+      entity_text("worldspawn", "\"fog\" \"0.02 0.1 0.2 +1\"\n\"_sun_mangle\" \"\"\n\"_sunlight\" \" 250 \"",
+                  walls_text(kRoomMins, kRoomMaxs, "wall")) +
+          entity_text("info_player_start",
+                      "\"origin\" \"0 0 3.2e1\"\n\"light\" \"of my life\"\n\"fog\" \"a b\""),
+      warnings);
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(all_of(warnings), "");
 }
 
 TEST(BadMaps, LongNamesAreCutInMessagesAlone) {

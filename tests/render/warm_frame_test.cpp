@@ -113,6 +113,25 @@ TEST(WarmFrame, ThatSomethingShowsThroughAllocatesNothing) {
   });
 }
 
+// One looks about, makes the window larger, looks about again, and dives.
+TEST(WarmFrame, FirstUnderWaterAfterAChangeOfSizeAllocatesNothing) {
+  const DrawableLevel drawable = small_level();
+  Random random(1);
+  const Viewpoint viewpoint{.camera = random_camera(*drawable.level, random),
+                            .brush_models = shown_brush_models(*drawable.level),
+                            .time_s = 1};
+  for (const render::PixelFormat format : {render::PixelFormat::kIndexed, render::PixelFormat::kRgb}) {
+    render::Renderer renderer(drawable.palette, drawable.colormap);
+    render::FrameBuffer small(320, 200, format), large(640, 400, format);
+    render::Scene scene = viewpoint.scene(*drawable.level);
+    for (render::FrameBuffer* const frame : {&small, &large, &large}) renderer.render(scene, {}, *frame);
+    scene.underwater = true;
+    const std::size_t before = allocation_count();
+    renderer.render(scene, {}, large);
+    EXPECT_EQ(allocation_count() - before, 0u);
+  }
+}
+
 TEST(WarmFrame, OfAStockLevelAllocatesNothing) {
   DATA_FOLDER_OR_SKIP(data);
   expect_no_allocation(stock_level(data, "lq_e0m1"), {});

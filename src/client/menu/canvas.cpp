@@ -12,7 +12,6 @@ constexpr int kWidest = 424, kHighest = 300;
 constexpr int kNarrowest = 5 * kCharacterSide, kLowest = kCharacterSide + 2;
 // Characters of 8 pixels are small on today's displays: for twice as large ones, pages are laid out in less.
 constexpr int kNarrowAtTwo = 288, kLowAtTwo = 180;
-constexpr int kDimMargin = 8;
 constexpr std::uint8_t kBlack = 0, kLight = 15;  // of the palette's first row, which is grey
 
 }  // namespace
@@ -47,6 +46,8 @@ Canvas::Canvas(const assets::Pictures& pictures, int frame_width, int frame_heig
       large_(Panel(pictures, io_list, frame_width, frame_height, scale * 2)),
       list_(&io_list),
       area_(area),
+      frame_width_(frame_width),
+      frame_height_(frame_height),
       scale_(scale) {}
 
 Box Canvas::to_frame(const Box& box) const {
@@ -54,8 +55,9 @@ Box Canvas::to_frame(const Box& box) const {
 }
 
 void Canvas::dim() const {
-  fill({-kDimMargin, -kDimMargin, width() + 2 * kDimMargin, height() + 2 * kDimMargin}, kBlack,
-       high_contrast_ ? 1.0f : kStrong);
+  list_->commands.push_back({.area = {0, 0, frame_width_, frame_height_},
+                             .fill = kBlack,
+                             .opacity = high_contrast_ ? 1.0f : kStrong});
 }
 
 void Canvas::highlight(const Box& box) const {

@@ -44,7 +44,7 @@ class Canvas {
   // In pixels of the frame.
   Box to_frame(const Box& box) const;
 
-  // What is behind it, and a little around it.
+  // What is behind it: all of the frame, as strips beside it would draw the eye.
   void dim() const;
   // Behind a row that is selected.
   void highlight(const Box& box) const;
@@ -67,7 +67,7 @@ class Canvas {
   Panel panel_, large_;
   render::DrawList* list_;
   Box area_;  // of the frame
-  int scale_;
+  int frame_width_, frame_height_, scale_;
   bool high_contrast_ = false;
 };
 

@@ -177,7 +177,7 @@ std::function<const formats::Picture*()> figure_in_colours(const PageContext& co
   };
 }
 
-// The level that is chosen must be one that there is.
+// The level that is chosen must be one that there is; at first an arena, which games name "dm" and a number.
 void choose_host_level(const PageContext& context) {
   const std::vector<MenuLevel> levels = asked(context.content.levels);
   std::string& chosen = context.choices.host.level;
@@ -185,7 +185,9 @@ void choose_host_level(const PageContext& context) {
   if (levels.empty()) {
     chosen = "start";
   } else if (std::none_of(levels.begin(), levels.end(), is_chosen)) {
-    chosen = levels.front().name;
+    const auto arena = std::ranges::find_if(
+        levels, [](const MenuLevel& level) { return level.name.find("dm") != std::string::npos; });
+    chosen = (arena != levels.end() ? *arena : levels.front()).name;
   }
 }
 
@@ -250,6 +252,13 @@ Page make_host_page(const PageContext& context) {
                                                       .zero = "none"}));
     add_row(page,
             make_option_row(context.variables, {.variable = "teamplay", .label = "Teams", .names = kTeams}));
+    add_row(page,
+            make_option_row(
+                context.variables,
+                {.variable = "bot_fill", .label = "Bots fill up to", .high = 8, .step = 1, .zero = "none"}));
+    static constexpr std::string_view kBotSkills[] = {"beginners", "fair", "good", "hard"};
+    add_row(page, make_option_row(context.variables,
+                                  {.variable = "bot_skill", .label = "Bots' skill", .names = kBotSkills}));
   } else {
     add_row(page, make_skill_row(context));
   }

@@ -20,7 +20,8 @@ constexpr int kHelpLines = 3;
 constexpr std::uint8_t kBlack = 0, kLight = 15;  // of the palette's first row, which is grey
 
 constexpr int kLargeChars = 13;  // of the longest label on a large page
-constexpr int kPlaqueX = 16, kPlaqueWidth = 56;
+constexpr int kLargeWidth = kLargeChars * 2 * kCharacterSide;
+constexpr int kPlaqueWidth = 56;  // with the gap to the rows
 
 // A canvas lower than this leaves out what it can do without.
 constexpr int kRoomForTitle = 60, kRoomForLargeTitle = 120, kRoomForPicture = 160, kRoomForHelp = 130;
@@ -30,6 +31,11 @@ std::array<int, 2> fitted(const formats::Picture& picture, int width, int height
       std::min(static_cast<double>(width) / picture.width, static_cast<double>(height) / picture.height);
   return {std::max(1, static_cast<int>(picture.width * scale)),
           std::max(1, static_cast<int>(picture.height * scale))};
+}
+
+// Plaque and rows of a large page stand in the middle together.
+int plaque_x(const Canvas& canvas) {
+  return (canvas.width() - kPlaqueWidth - kCursor - kLargeWidth) / 2;
 }
 
 }  // namespace
@@ -56,7 +62,7 @@ bool PageView::has_plaque(const Canvas& canvas) const {
 
 int PageView::draw_title(const Canvas& canvas) const {
   const bool has_room = canvas.height() >= kRoomForPicture;
-  if (has_plaque(canvas)) canvas.plaque("gfx/qplaque.lmp", kPlaqueX, kGap);
+  if (has_plaque(canvas)) canvas.plaque("gfx/qplaque.lmp", plaque_x(canvas), kGap);
   if (has_room)
     if (const int height = canvas.title_picture(page_.title_picture, kGap); height > 0)
       return kGap + height + kGap;
@@ -97,17 +103,15 @@ int PageView::draw_question(const Canvas& canvas, int top) const {
 }
 
 Box PageView::large_rows(const Canvas& canvas, int top) const {
-  const int width = kLargeChars * 2 * kCharacterSide;
   const int x =
-      std::max((canvas.width() - width) / 2, std::min(kPlaqueX + kPlaqueWidth, canvas.width() - width));
-  return {x, top, width, canvas.height() - top};
+      has_plaque(canvas) ? plaque_x(canvas) + kPlaqueWidth + kCursor : (canvas.width() - kLargeWidth) / 2;
+  return {x, top, kLargeWidth, canvas.height() - top};
 }
 
 PageView::Layout PageView::lay_out(const Canvas& canvas, int top) const {
   Layout layout;
   const int width = canvas.width(), height = canvas.height();
-  const bool is_large = page_.style == PageStyle::kLarge &&
-                        width >= kLargeChars * 2 * kCharacterSide + 2 * kCursor &&
+  const bool is_large = page_.style == PageStyle::kLarge && width >= kLargeWidth + 2 * kCursor &&
                         height - top >= static_cast<int>(page_.rows.size()) * kLargeLine;
   layout.letters = is_large ? 2 : 1;
   layout.row_height = is_large ? kLargeLine : kLine;
@@ -116,7 +120,7 @@ PageView::Layout PageView::lay_out(const Canvas& canvas, int top) const {
     layout.help_y = height - kHelpLines * (kCharacterSide + 1) - kGap;
     bottom = layout.help_y - kGap;
   }
-  const int left = kCursor + (has_plaque(canvas) ? kPlaqueX + kPlaqueWidth : 0);
+  const int left = kCursor + (has_plaque(canvas) ? plaque_x(canvas) + kPlaqueWidth : 0);
   layout.rows = is_large ? large_rows(canvas, top)
                          : Box{left, top, width - left - kScrollBar, std::max(bottom - top, kLine)};
   constexpr int kLeastDetails = 200;

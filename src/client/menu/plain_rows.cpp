@@ -45,7 +45,8 @@ ListRow::ListRow(ListEntry entry)
     : entry_(std::move(entry)), search_text_(entry_.left + ' ' + entry_.middle + ' ' + entry_.right) {}
 
 void ListRow::draw(const Canvas& canvas, const RowPlace& place) const {
-  constexpr int kMiddleX = 9 * kCharacterSide, kLeastMiddle = 12 * kCharacterSide;
+  // The longest name that the game gives by itself, "autosave2", and a gap.
+  constexpr int kMiddleX = 10 * kCharacterSide, kLeastMiddle = 12 * kCharacterSide;
   const Box& box = place.box;
   const int middle_width = box.width - kMiddleX;
   if (entry_.middle.empty() || middle_width < kLeastMiddle)

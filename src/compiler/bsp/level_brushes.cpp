@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "compiler/bsp/brush_class.h"
+#include "compiler/bsp/key_values.h"
 #include "compiler/bsp/level_entities.h"
 #include "compiler/bsp/region.h"
 #include "compiler/light/keys.h"
@@ -52,7 +53,7 @@ class Sorter {
     for (std::vector<Brush>& brushes : out_.models) std::ranges::stable_sort(brushes, {}, &Brush::chop_order);
     if (out_.models.front().empty()) return base::malformed("the world has no brush with a volume");
     warn_without_start();
-    warn_of_white_fog();
+    warn_of_unreadable_values(map_, warnings_);
     return std::move(out_);
   }
 
@@ -118,17 +119,6 @@ class Sorter {
     warnings_.push_back({"only a region is compiled",
                          fmt::format("{}; left out: {} brushes, {} entities", describe(region_->place),
                                      brushes_left_out_, entities_left_out_)});
-  }
-
-  // Drawn clamped: 0 to 255, as other keys have colours, is all white.
-  void warn_of_white_fog() {
-    const std::string_view fog = map_.entities.front().fields.find("fog").value_or("");
-    const std::string_view after_density = fog.substr(std::min(fog.find(' '), fog.size()));
-    const auto colour = formats::Entity{{{"colour", std::string(after_density)}}}.find_vec3("colour");
-    if (!colour || std::max({colour->x, colour->y, colour->z}) <= 1) return;
-    warnings_.push_back({"fog brighter than white",
-                         fmt::format("line {}: fog is its density, then red, green and blue from 0 to 1",
-                                     map_.entities.front().line)});
   }
 
   void warn_without_start() {

@@ -59,6 +59,8 @@ void Warp::apply(double time_s, const PictureTint& tint, base::Jobs& jobs, Frame
 }
 
 void Warp::prepare(const FrameBuffer& frame) {
+  column_.reserve(static_cast<std::size_t>(frame.width()));
+  row_.reserve(static_cast<std::size_t>(frame.height()));
   if (frame.format() == PixelFormat::kIndexed)
     reserve(frame.pixel_count(), indexed_spare_);
   else

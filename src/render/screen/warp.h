@@ -19,7 +19,8 @@ class Warp {
   // from beyond its borders. What has been moved is tinted while it is in the caches.
   void apply(double time_s, const PictureTint& tint, base::Jobs& jobs, FrameBuffer& io_frame);
 
-  // Has the memory ready that apply() needs for such frames: the first one would wait for it.
+  // Has the memory ready that apply() needs for such frames: the first one would wait for it. Costs nothing
+  // where it is.
   void prepare(const FrameBuffer& frame);
 
  private:
