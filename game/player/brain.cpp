@@ -214,6 +214,7 @@ void Brain::take_up(Task task, double now_s) {
   phase_ = Phase::kWalk;
   phase_since_s_ = now_s;
   walker_.follow(task_->route, now_s);
+  astray_since_s_.reset();
 }
 
 void Brain::work(server::Game& io_game, const Self& self, double now_s, Steering& out) {
@@ -242,7 +243,7 @@ void Brain::work(server::Game& io_game, const Self& self, double now_s, Steering
   }
   if (!task_ && can_plan && now_s - planned_s_ > (in_vain_since_s_ ? kPlanEvery_s : 0.2))
     find_work(self, now_s);
-  if (!task_) return;
+  if (!task_) return find_back(io_game, self, now_s, out);
   if (phase_ == Phase::kWalk) {
     switch (walker_.walk(io_game, self, now_s, out)) {
       case WalkEnd::kGoing:

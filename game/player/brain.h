@@ -85,6 +85,9 @@ class Brain {
   bool fights_first(double now_s);
   void give_up_task(const Self& self);
   void find_work(const Self& self, double now_s);
+  void find_back(server::Game& io_game, const Self& self, double now_s, Steering& out);
+  math::Vec3 heading_off(server::Game& io_game, const Self& self);
+  void begin_again_from(const Self& self);
   net::Move move_for(const Self& self, const Steering& steering);
   void note_death(server::Game& io_game, const Self& self);
   void complain(const std::string& text);
@@ -110,7 +113,11 @@ class Brain {
   std::set<std::uint32_t> hopeless_secrets_;
   std::map<std::uint32_t, int> vain_secrets_;  // how often there was no way to one
   bool waits_for_secret_ = false, wants_to_begin_again_ = false;
+  static constexpr int kMostDeadEnds = 3;
   int dead_ends_ = 0;
+  std::optional<double> astray_since_s_;  // off all places that are known
+  math::Vec3 heading_{0.0f};
+  double heading_until_s_ = 0;
   std::map<std::uint32_t, int> tried_items_;
   std::size_t waypoint_ = 0, stop_ = 0;
   bool has_pressed_ = false;              // what this stop asks for

@@ -11,7 +11,7 @@ namespace field = server::field;
 
 constexpr float kReach_units = 64;
 constexpr double kForgiveAfter_s = 6, kDeadEndAfter_s = 10;
-constexpr int kSecretTries = 3, kMostDeadEnds = 3;
+constexpr int kSecretTries = 3;
 
 }  // namespace
 
@@ -76,11 +76,8 @@ void Brain::find_work(const Self& self, double now_s) {
   if (!in_vain_since_s_) in_vain_since_s_ = now_s;
   if (now_s - *in_vain_since_s_ > kForgiveAfter_s) router_.forgive();
   if (now_s - *in_vain_since_s_ > kDeadEndAfter_s && dead_ends_ < kMostDeadEnds) {
-    ++dead_ends_;
-    const math::Vec3 o = self.origin;
-    complain(fmt::format("a dead end at {:.0f} {:.0f} {:.0f}: began again", o.x, o.y, o.z));
     in_vain_since_s_ = now_s;
-    wants_to_begin_again_ = true;
+    begin_again_from(self);
   }
   if (now_s - *in_vain_since_s_ > setup_.patience_s && !has_given_up_) {
     has_given_up_ = true;

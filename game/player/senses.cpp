@@ -21,6 +21,13 @@ server::EntityTrace trace(server::GameWorld& io_world, vm::EntityIndex player, c
                             server::MoveKind::kNoMonsters, player);
 }
 
+// Who stands there.
+bool burns_at(server::GameWorld& io_world, const math::Vec3& origin) {
+  const world::Contents feet =
+      server::point_contents(io_world, origin + math::Vec3(0, 0, movement::kPlayerMins.z + 1));
+  return feet == world::Contents::kLava || feet == world::Contents::kSlime;
+}
+
 // One step; false: there is none.
 bool step(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& to, math::Vec3& io_at) {
   math::Vec3 over = to;
@@ -35,9 +42,7 @@ bool step(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3&
   const auto down = trace(io_world, player, over, {over.x, over.y, io_at.z - movement::kStepHeight - 0.1f});
   if (down.trace.fraction == 1 || down.trace.plane_normal.z < movement::kFloorNormal) return false;
   io_at = down.trace.end;
-  const world::Contents feet =
-      server::point_contents(io_world, io_at + math::Vec3(0, 0, movement::kPlayerMins.z + 1));
-  return feet != world::Contents::kLava && feet != world::Contents::kSlime;
+  return !burns_at(io_world, io_at);
 }
 
 }  // namespace
@@ -78,6 +83,13 @@ bool can_walk(server::GameWorld& io_world, vm::EntityIndex player, const math::V
 bool can_swim(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from,
               const math::Vec3& to) {
   return trace(io_world, player, from, to).trace.fraction == 1;
+}
+
+bool ends_in_fire(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from,
+                  const math::Vec3& to) {
+  constexpr float kDeepest_units = 4096;
+  const math::Vec3 over = trace(io_world, player, from, to).trace.end;
+  return burns_at(io_world, trace(io_world, player, over, over - math::Vec3(0, 0, kDeepest_units)).trace.end);
 }
 
 bool sees(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from, const math::Vec3& to) {

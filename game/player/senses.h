@@ -31,6 +31,9 @@ bool can_walk(server::GameWorld& io_world, vm::EntityIndex player, const math::V
 // Straight through water.
 bool can_swim(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from,
               const math::Vec3& to);
+// Whether who walks there, and off it, comes down in lava or slime.
+bool ends_in_fire(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from,
+                  const math::Vec3& to);
 // A line without width that only the level and its doors stop.
 bool sees(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from, const math::Vec3& to);
 
