@@ -1,5 +1,5 @@
 // What a player does where no place of the graph is near: somebody has thrown him onto a rim that nobody
-// walks on, or he hangs between two walls.
+// walks on, or he has come down on a monster's head, which is no ground: one only slides off it, slowly.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,8 +10,8 @@
 namespace temblor::player {
 namespace {
 
-// A fall takes less.
-constexpr double kAstrayAfter_s = 2, kHeading_s = 1.2, kBeginAgainAfter_s = 10;
+// A fall takes less than the first; in the second one comes off the largest head, at 21 units a second.
+constexpr double kAstrayAfter_s = 2, kHeading_s = 2.5, kBeginAgainAfter_s = 15;
 constexpr float kPace_units_s = 200, kLook_units = 48;
 constexpr int kTries = 8;
 
