@@ -314,6 +314,10 @@ vm::StringIndex GameFields::string(const Edict& edict, std::string_view name) co
   const auto at = word(name);
   return at ? edict[server::Field<vm::StringIndex>{*at}] : vm::kEmptyString;
 }
+vm::FunctionIndex GameFields::function(const Edict& edict, std::string_view name) const {
+  const auto at = word(name);
+  return at ? edict[server::Field<vm::FunctionIndex>{*at}] : vm::kNoFunction;
+}
 
 int LevelFacts::mover_of(vm::EntityIndex entity) const {
   for (std::size_t i = 0; i < movers.size(); ++i)

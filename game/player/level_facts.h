@@ -23,6 +23,7 @@ class GameFields {
   math::Vec3 vector(const server::Edict& edict, std::string_view name) const;
   vm::EntityIndex entity(const server::Edict& edict, std::string_view name) const;
   vm::StringIndex string(const server::Edict& edict, std::string_view name) const;
+  vm::FunctionIndex function(const server::Edict& edict, std::string_view name) const;
   bool has(std::string_view name) const;
 
  private:

@@ -41,6 +41,12 @@ bool MonsterWatch::fights(server::Game& io_game, const server::Edict& monster) c
               player[field::kOrigin] + player[field::kViewOffset]);
 }
 
+// Standing, walking and running go on and on; blows, shots and pain come to their end.
+bool MonsterWatch::is_about_something(server::Game& io_game, const server::Edict& monster) const {
+  const vm::FunctionIndex end = fields_.function(monster, "seq_end");
+  return end != vm::kNoFunction && io_game.machine().program().name_of(end) != "play_again";
+}
+
 void MonsterWatch::look(server::Game& io_game, double now_s) {
   server::GameWorld& world = io_game.world();
   for (std::uint32_t i = 1 + world.edicts.client_count(); i < world.edicts.count(); ++i) {
@@ -65,7 +71,8 @@ void MonsterWatch::look(server::Game& io_game, double now_s) {
     watched.doings.insert(fields_.number(edict, "seq_first"));
     watched.finishes.insert(fields_.number(edict, "attack_finished"));
     if (glm::distance(at, watched.at) > kMoved_units || watched.doings.size() > 1 ||
-        watched.finishes.size() > 1 || edict[field::kHealth] != watched.health || !fights(io_game, edict)) {
+        watched.finishes.size() > 1 || edict[field::kHealth] != watched.health ||
+        is_about_something(io_game, edict) || !fights(io_game, edict)) {
       watched.at = at;
       watched.health = edict[field::kHealth];
       watched.since_s = now_s;

@@ -31,6 +31,7 @@ class MonsterWatch {
     std::set<float> finishes{};  // of attacks
   };
   bool fights(server::Game& io_game, const server::Edict& monster) const;
+  bool is_about_something(server::Game& io_game, const server::Edict& monster) const;
 
   GameFields fields_;
   std::map<std::uint32_t, Watched> watched_;
