@@ -44,6 +44,27 @@ TEST(Pusher, StopsExactlyWhereItsThoughtComes) {
   EXPECT_NEAR(lift[field::kOrigin].z, 50, 1e-4);
 }
 
+// Its clock tells seconds in single precision: the later, the coarser. A lift that overshot would stop within
+// what rides on it, which then fell through.
+TEST(Pusher, StopsWhereItsThoughtComesLateInAGameToo) {
+  for (const float begin_s : {348.0f, 3600.0f}) {
+    TestWorld world(kLift);
+    const Edict lift = world.spawn_pusher(1, {0, 0, -260});
+    const EntityIndex index = lift.index();
+    lift.set(field::kOrigin, {0, 0, 496});
+    lift.set(field::kLocalTime, begin_s);
+    const float end_s = begin_s + 496.0f / 260;
+    const vm::FunctionIndex think = world.calls.add([&](const FakeCalls::Call&) {
+      // As far as the whole time on its clock has taken it.
+      EXPECT_NEAR(world[index][field::kOrigin].z, 496 - 260 * (end_s - begin_s), 0.005);
+    });
+    lift.set(field::kThink, think);
+    lift.set(field::kNextThink, end_s);
+    world.tick(3 * 72);
+    EXPECT_EQ(world.calls.count(think), 1);
+  }
+}
+
 TEST(Pusher, CarriesWhoStandsOnIt) {
   for (const Vec3 velocity : {Vec3(0, 0, 60), Vec3(90, 30, 0), Vec3(0, 0, -30)}) {
     TestWorld world(kLift);
