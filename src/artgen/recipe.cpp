@@ -88,13 +88,6 @@ base::Result<std::vector<RecipeLine>> nest(std::vector<FlatLine>& lines, std::si
   return nested;
 }
 
-std::optional<double> number_in(std::string_view text) {
-  double value = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (failure != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
-  return value;
-}
-
 std::optional<math::Vec3> vector_in(std::string_view text) {
   math::Vec3 vector;
   for (std::int32_t axis = 0; axis < 3; ++axis) {
@@ -118,6 +111,13 @@ std::optional<std::pair<double, double>> range_in(std::string_view text) {
 }
 
 }  // namespace
+
+std::optional<double> number_in(std::string_view text) {
+  double value = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
+  return value;
+}
 
 base::Result<std::vector<RecipeLine>> read_recipe(std::string_view text) {
   TRY(std::vector<FlatLine> lines, read_lines(text));

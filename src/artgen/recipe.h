@@ -80,4 +80,7 @@ class Arguments {
   std::optional<std::string> wrong_;
 };
 
+// All of the text as a finite number.
+std::optional<double> number_in(std::string_view text);
+
 }  // namespace temblor::artgen

@@ -37,25 +37,25 @@ class Builder {
  private:
   void add_world();
   void add_door();
-  formats::BspModel add_tree(const Grid& grid, const GridTree& tree);
-  void add_faces(const Grid& grid, const GridTree& tree, std::size_t first_node);
-  void add_face(const Grid& grid, const GridFace& face, const Corners& corners);
-  void add_light(const Grid& grid, const GridFace& face, formats::BspFace& io_face);
+  formats::BspModel add_tree(const CellGrid& grid, const GridTree& tree);
+  void add_faces(const CellGrid& grid, const GridTree& tree, std::size_t first_node);
+  void add_face(const CellGrid& grid, const GridFace& face, const Corners& corners);
+  void add_light(const CellGrid& grid, const GridFace& face, formats::BspFace& io_face);
   void add_marksurfaces(const std::vector<GridTree::Leaf>& leafs);
   void add_visibility(const std::vector<GridTree::Leaf>& leafs);
-  std::int32_t add_clip_tree(const Grid& grid, const math::Bounds& box, std::int32_t background);
+  std::int32_t add_clip_tree(const CellGrid& grid, const math::Bounds& box, std::int32_t background);
   void add_entities();
   std::uint32_t plane_of(std::size_t axis, float distance);
   std::uint32_t texinfo_of(Material material, const TextureLayout& layout);
 
   SmallLevelOptions options_;
-  Plan plan_;
+  SmallLevelPlan plan_;
   float texels_per_unit_;
   float max_face_units_;
-  Grid world_;
+  CellGrid world_;
   GridLighter lighter_;
   formats::Bsp bsp_;
-  Mesh mesh_;
+  LevelMesh mesh_;
   std::vector<GridFace> world_faces_;
   std::vector<std::uint8_t> rgb_light_;
   std::map<std::pair<std::size_t, float>, std::uint32_t> planes_;
@@ -102,8 +102,8 @@ void Builder::add_world() {
 }
 
 void Builder::add_door() {
-  const PlanBox box{plan_.door, kContentsSolid, Look::kDoor};
-  const Grid grid = make_grid({&box, 1}, kContentsEmpty, max_face_units_);
+  const PlanBox box{plan_.door, kContentsSolid, CellLook::kDoor};
+  const CellGrid grid = make_grid({&box, 1}, kContentsEmpty, max_face_units_);
   formats::BspModel model = add_tree(grid, build_grid_tree(grid));
   for (std::size_t hull = 0; hull < 3; ++hull)
     model.head_nodes[hull + 1] = add_clip_tree(grid, kHullBoxes[hull], kContentsEmpty);
@@ -111,7 +111,7 @@ void Builder::add_door() {
 }
 
 // Adds the nodes and leafs of a model's hull 0, and its faces.
-formats::BspModel Builder::add_tree(const Grid& grid, const GridTree& tree) {
+formats::BspModel Builder::add_tree(const CellGrid& grid, const GridTree& tree) {
   const std::size_t first_node = bsp_.nodes.size();
   std::vector<std::int32_t> leaf_children;
   for (const GridTree::Leaf& leaf : tree.leafs) {
@@ -155,7 +155,7 @@ formats::BspModel Builder::add_tree(const Grid& grid, const GridTree& tree) {
   return model;
 }
 
-void Builder::add_faces(const Grid& grid, const GridTree& tree, std::size_t first_node) {
+void Builder::add_faces(const CellGrid& grid, const GridTree& tree, std::size_t first_node) {
   std::vector<GridFace> faces;
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const std::vector<GridFace> node_faces = find_faces(grid, tree.nodes[i], max_face_units_);
@@ -169,7 +169,7 @@ void Builder::add_faces(const Grid& grid, const GridTree& tree, std::size_t firs
   if (&grid == &world_) world_faces_ = std::move(faces);
 }
 
-void Builder::add_face(const Grid& grid, const GridFace& face, const Corners& corners) {
+void Builder::add_face(const CellGrid& grid, const GridFace& face, const Corners& corners) {
   const SurfedgeRange surfedges = mesh_.add_loop(outline(grid, face, corners));
   formats::BspFace bsp_face;
   bsp_face.plane = plane_of(face.axis, grid.lines[face.axis][face.line]);
@@ -181,7 +181,7 @@ void Builder::add_face(const Grid& grid, const GridFace& face, const Corners& co
   bsp_.faces.push_back(bsp_face);
 }
 
-void Builder::add_light(const Grid& grid, const GridFace& face, formats::BspFace& io_face) {
+void Builder::add_light(const CellGrid& grid, const GridFace& face, formats::BspFace& io_face) {
   const FaceLight light = lighter_.light(grid, face, layout_of(face, texels_per_unit_));
   io_face.styles = light.styles;
   io_face.light_offset = static_cast<std::int32_t>(bsp_.lighting.size());
@@ -219,8 +219,8 @@ void Builder::add_visibility(const std::vector<GridTree::Leaf>& leafs) {
   }
 }
 
-std::int32_t Builder::add_clip_tree(const Grid& grid, const math::Bounds& box, std::int32_t background) {
-  const Grid grown = grow_grid(grid, box.mins, box.maxs, background);
+std::int32_t Builder::add_clip_tree(const CellGrid& grid, const math::Bounds& box, std::int32_t background) {
+  const CellGrid grown = grow_grid(grid, box.mins, box.maxs, background);
   const GridTree tree = build_grid_tree(grown);
   const auto head = static_cast<std::int32_t>(bsp_.clipnodes.size());
   for (const GridTree::Node& node : tree.nodes) {

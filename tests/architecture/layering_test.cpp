@@ -43,6 +43,10 @@ TEST(Layering, FilesAreShort) {
   EXPECT_THAT(length_breaches(sources(), kLongestFileLines), IsEmpty());
 }
 
+TEST(Layering, TypesOfANamespaceHaveNamesOfTheirOwn) {
+  EXPECT_THAT(type_breaches(sources()), IsEmpty());
+}
+
 TEST(Layering, KernelFilesDrawInNoCodeOfOurs) {
   EXPECT_THAT(kernel_breaches(sources()), IsEmpty());
 }
@@ -103,6 +107,22 @@ TEST(LayeringRules, CommentedIncludesDoNotCount) {
 TEST(LayeringRules, LongFileIsABreach) {
   const auto files = invent({{"base/long.cpp", "a\nb\nc\nd\n"}, {"base/short.cpp", "a\nb\nc\n"}});
   EXPECT_THAT(length_breaches(files, 3), ElementsAre(HasSubstr("long.cpp: 4 lines")));
+}
+
+TEST(LayeringRules, TwoTypesOfOneNameAreABreach) {
+  const auto text = [](const std::string& space, const std::string& type) {
+    return "namespace " + space + " {\n" + type + " Plan {\n  int x;\n};\n}  // namespace " + space + "\n";
+  };
+  EXPECT_THAT(
+      type_breaches(invent({{"a/x.h", text("t::a", "struct")}, {"a/y.h", text("t::a", "enum class")}})),
+      ElementsAre(HasSubstr("a/y.h: t::a::Plan is also in a/x.h")));
+  EXPECT_THAT(type_breaches(invent({{"a/x.h", text("t::a", "struct")}, {"b/y.h", text("t::b", "struct")}})),
+              IsEmpty());
+  EXPECT_THAT(type_breaches(invent(
+                  {{"a/x.h", text("t::a", "class") + text("", "class")},
+                   {"a/y.cpp", "namespace t::a {\n" + text("", "struct") + "}  // namespace t::a\n"},
+                   {"a/z.cpp", "namespace t::a {\n" + text("", "struct") + "}  // namespace t::a\n"}})),
+              IsEmpty());
 }
 
 TEST(LayeringRules, KernelFileMayDrawInPlainDataOnly) {

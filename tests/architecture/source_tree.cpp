@@ -217,6 +217,31 @@ std::vector<std::string> length_breaches(const std::vector<SourceFile>& files, i
   return breaches;
 }
 
+std::vector<std::string> type_breaches(const std::vector<SourceFile>& files) {
+  // By what stands at the left edge, as the formatter lays code out. A namespace's end, and nothing else, has
+  // a comment behind it, of which two blanks are left.
+  static const std::regex opened(R"(^namespace ?([\w:]*) \{)");
+  static const std::regex type(
+      R"(^(?:struct|class|union|enum class|enum) (?:alignas\(\w+\) )?(\w+)(?: final)?(?: :.*)? \{)");
+  std::map<std::string, std::string> file_of;
+  std::vector<std::string> breaches;
+  for (const SourceFile& file : files) {
+    std::vector<std::string> spaces;
+    std::istringstream lines(file.text);
+    for (std::string line; std::getline(lines, line);) {
+      std::smatch found;
+      if (line == "}  " && !spaces.empty()) spaces.pop_back();
+      if (std::regex_search(line, found, opened)) spaces.push_back(found[1]);
+      if (!std::regex_search(line, found, type)) continue;
+      std::string name;
+      for (const std::string& space : spaces) name += (space.empty() ? file.path : space) + "::";
+      const auto [earlier, is_new] = file_of.try_emplace(name + found[1].str(), file.path);
+      if (!is_new) breaches.push_back(file.path + ": " + earlier->first + " is also in " + earlier->second);
+    }
+  }
+  return breaches;
+}
+
 std::vector<std::string> kernel_breaches(const std::vector<SourceFile>& files) {
   std::map<std::string, const SourceFile*> by_path;
   for (const SourceFile& file : files) by_path[file.path] = &file;

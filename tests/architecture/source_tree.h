@@ -34,6 +34,10 @@ std::vector<std::string> layering_breaches(const std::vector<SourceFile>& files)
 // No file is longer than `limit_lines`.
 std::vector<std::string> length_breaches(const std::vector<SourceFile>& files, int limit_lines);
 
+// No two types of one namespace share a name: in one program the linker would take the functions of either
+// for both.
+std::vector<std::string> type_breaches(const std::vector<SourceFile>& files);
+
 // Vector code (Highway) only where kernels live, and intrinsics of one instruction set nowhere. Files
 // compiled once per instruction set include, directly or not, no function bodies of ours: the linker might
 // keep the copy made for a newer CPU.

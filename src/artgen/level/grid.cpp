@@ -21,13 +21,13 @@ void cut_wide_cells(std::vector<float>& io_lines, float max_units) {
 }
 
 template <typename Visit>
-void for_each_cell(const Grid& grid, Visit visit) {
+void for_each_cell(const CellGrid& grid, Visit visit) {
   for (std::size_t z = 0; z < grid.size(2); ++z)
     for (std::size_t y = 0; y < grid.size(1); ++y)
       for (std::size_t x = 0; x < grid.size(0); ++x) visit(CellPosition{x, y, z});
 }
 
-float centre(const Grid& grid, std::size_t axis, std::size_t cell) {
+float centre(const CellGrid& grid, std::size_t axis, std::size_t cell) {
   return (grid.lines[axis][cell] + grid.lines[axis][cell + 1]) / 2;
 }
 
@@ -53,7 +53,7 @@ Touched touched_cells(const std::vector<float>& lines, float low, float high) {
           static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(last, 0, cells))};
 }
 
-bool any_stops_boxes(const Grid& grid, const std::array<Touched, 3>& range, bool background_stops) {
+bool any_stops_boxes(const CellGrid& grid, const std::array<Touched, 3>& range, bool background_stops) {
   for (const Touched& touched : range)
     if (touched.first >= touched.last) return background_stops;
   for (std::size_t z = range[2].first; z < range[2].last; ++z)
@@ -65,7 +65,7 @@ bool any_stops_boxes(const Grid& grid, const std::array<Touched, 3>& range, bool
 
 }  // namespace
 
-math::Bounds Grid::bounds(const CellRange& range) const {
+math::Bounds CellGrid::bounds(const CellRange& range) const {
   math::Bounds box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     box.mins[static_cast<int>(axis)] = lines[axis][range.first[axis]];
@@ -74,8 +74,8 @@ math::Bounds Grid::bounds(const CellRange& range) const {
   return box;
 }
 
-Grid make_grid(std::span<const PlanBox> boxes, std::int32_t background, float max_cell_units) {
-  Grid grid;
+CellGrid make_grid(std::span<const PlanBox> boxes, std::int32_t background, float max_cell_units) {
+  CellGrid grid;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<float>& lines = grid.lines[axis];
     for (const PlanBox& box : boxes) {
@@ -89,7 +89,7 @@ Grid make_grid(std::span<const PlanBox> boxes, std::int32_t background, float ma
   }
   for_each_cell(grid, [&](const CellPosition& at) {
     const math::Vec3 middle(centre(grid, 0, at[0]), centre(grid, 1, at[1]), centre(grid, 2, at[2]));
-    Cell cell{background, Look::kNone};
+    Cell cell{background, CellLook::kNone};
     for (const PlanBox& box : boxes)
       if (holds(box.bounds, middle)) cell = {box.contents, box.look};
     grid.cells.push_back(cell);
@@ -97,8 +97,9 @@ Grid make_grid(std::span<const PlanBox> boxes, std::int32_t background, float ma
   return grid;
 }
 
-Grid grow_grid(const Grid& grid, const math::Vec3& mins, const math::Vec3& maxs, std::int32_t background) {
-  Grid grown;
+CellGrid grow_grid(const CellGrid& grid, const math::Vec3& mins, const math::Vec3& maxs,
+                   std::int32_t background) {
+  CellGrid grown;
   std::array<std::vector<Touched>, 3> touched;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float low = mins[static_cast<int>(axis)];
@@ -117,7 +118,7 @@ Grid grow_grid(const Grid& grid, const math::Vec3& mins, const math::Vec3& maxs,
   for_each_cell(grown, [&](const CellPosition& at) {
     const bool stops =
         any_stops_boxes(grid, {touched[0][at[0]], touched[1][at[1]], touched[2][at[2]]}, background_stops);
-    grown.cells.push_back({stops ? kContentsSolid : kContentsEmpty, Look::kNone});
+    grown.cells.push_back({stops ? kContentsSolid : kContentsEmpty, CellLook::kNone});
   });
   return grown;
 }

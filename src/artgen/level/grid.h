@@ -15,7 +15,7 @@ namespace temblor::artgen {
 
 struct Cell {
   std::int32_t contents;
-  Look look;
+  CellLook look;
   bool operator==(const Cell&) const = default;
 };
 
@@ -26,7 +26,7 @@ struct CellRange {
   CellPosition first{}, last{};
 };
 
-struct Grid {
+struct CellGrid {
   std::array<std::vector<float>, 3> lines;  // where the planes cut each axis, ascending; cells lie between
   std::vector<Cell> cells;                  // x fastest, then y, then z
 
@@ -39,10 +39,11 @@ struct Grid {
 
 // Paints the boxes over `background`, with one more layer of background around them. No cell is wider than
 // `max_cell_units`.
-Grid make_grid(std::span<const PlanBox> boxes, std::int32_t background, float max_cell_units);
+CellGrid make_grid(std::span<const PlanBox> boxes, std::int32_t background, float max_cell_units);
 
 // Solid wherever a box from `mins` to `maxs` around the point would touch solid or sky; empty elsewhere.
 // `background`: what lies outside the grid.
-Grid grow_grid(const Grid& grid, const math::Vec3& mins, const math::Vec3& maxs, std::int32_t background);
+CellGrid grow_grid(const CellGrid& grid, const math::Vec3& mins, const math::Vec3& maxs,
+                   std::int32_t background);
 
 }  // namespace temblor::artgen

@@ -10,33 +10,33 @@ bool is_open(const Cell& cell) {
   return cell.contents == kContentsEmpty || cell.contents == kContentsWater;
 }
 
-Material wall_material(Look look) {
+Material wall_material(CellLook look) {
   switch (look) {
-    case Look::kTrim:
+    case CellLook::kTrim:
       return Material::kTrim;
-    case Look::kPanel:
+    case CellLook::kPanel:
       return Material::kPanel;
-    case Look::kDoor:
+    case CellLook::kDoor:
       return Material::kDoor;
-    case Look::kCourt:
+    case CellLook::kCourt:
       return Material::kStone;
-    case Look::kCorridor:
-    case Look::kCellar:
+    case CellLook::kCorridor:
+    case CellLook::kCellar:
       return Material::kConcrete;
-    case Look::kHall:
-    case Look::kNone:
+    case CellLook::kHall:
+    case CellLook::kNone:
       break;
   }
   return Material::kBrick;
 }
 
-Material floor_material(Look look) {
+Material floor_material(CellLook look) {
   switch (look) {
-    case Look::kCourt:
-    case Look::kCellar:
+    case CellLook::kCourt:
+    case CellLook::kCellar:
       return Material::kEarth;
-    case Look::kHall:
-    case Look::kCorridor:
+    case CellLook::kHall:
+    case CellLook::kCorridor:
       return Material::kSlabs;
     default:
       return wall_material(look);
@@ -48,10 +48,10 @@ std::optional<Material> seen_material(const Cell& from, const Cell& to, std::siz
   if (!is_open(from) || from.contents == to.contents) return std::nullopt;
   if (to.contents == kContentsSky) return Material::kSky;
   if (is_open(to)) return Material::kWater;
-  const Look look = to.look != Look::kNone ? to.look : from.look;
+  const CellLook look = to.look != CellLook::kNone ? to.look : from.look;
   if (axis != 2) return wall_material(look);
   if (looks_up) return floor_material(look);
-  return look == Look::kHall ? Material::kConcrete : wall_material(look);
+  return look == CellLook::kHall ? Material::kConcrete : wall_material(look);
 }
 
 // One square of a plane. A face holds squares that are alike, so that a wall is cut where water begins.
@@ -64,7 +64,7 @@ struct Square {
 // What is to be seen on a plane, square by square, from which rectangles are cut until none is left.
 class Squares {
  public:
-  Squares(const Grid& grid, const GridTree::Node& node, bool looks_up);
+  Squares(const CellGrid& grid, const GridTree::Node& node, bool looks_up);
   std::vector<GridFace> cut_faces(float max_units);
 
  private:
@@ -73,14 +73,14 @@ class Squares {
   }
   std::size_t reach(std::size_t which_axis, std::size_t from, float max_units) const;
 
-  const Grid& grid_;
+  const CellGrid& grid_;
   GridFace shape_;  // axis, line, looks_up of every face
   std::array<std::size_t, 2> first_, last_;
   std::size_t width_;
   std::vector<std::optional<Square>> squares_;
 };
 
-Squares::Squares(const Grid& grid, const GridTree::Node& node, bool looks_up)
+Squares::Squares(const CellGrid& grid, const GridTree::Node& node, bool looks_up)
     : grid_(grid), shape_{node.axis, node.line, looks_up, {}, {}, {}} {
   const std::size_t u = shape_.u();
   const std::size_t v = shape_.v();
@@ -160,14 +160,14 @@ CellRange GridFace::front_cells() const {
   return range;
 }
 
-std::vector<GridFace> find_faces(const Grid& grid, const GridTree::Node& node, float max_units) {
+std::vector<GridFace> find_faces(const CellGrid& grid, const GridTree::Node& node, float max_units) {
   std::vector<GridFace> faces = Squares(grid, node, true).cut_faces(max_units);
   const std::vector<GridFace> below = Squares(grid, node, false).cut_faces(max_units);
   faces.insert(faces.end(), below.begin(), below.end());
   return faces;
 }
 
-Corners::Corners(const Grid& grid, const std::vector<GridFace>& faces)
+Corners::Corners(const CellGrid& grid, const std::vector<GridFace>& faces)
     : points_{grid.lines[0].size(), grid.lines[1].size(), grid.lines[2].size()},
       is_corner_(points_[0] * points_[1] * points_[2]) {
   for (const GridFace& face : faces)
@@ -176,7 +176,7 @@ Corners::Corners(const Grid& grid, const std::vector<GridFace>& faces)
         is_corner_[index(point_of(face, i, j))] = true;
 }
 
-std::vector<math::Vec3> outline(const Grid& grid, const GridFace& face, const Corners& corners) {
+std::vector<math::Vec3> outline(const CellGrid& grid, const GridFace& face, const Corners& corners) {
   std::vector<CellPosition> points;
   const auto visit = [&](std::size_t i, std::size_t j) {
     const CellPosition point = point_of(face, i, j);

@@ -27,13 +27,13 @@ struct GridFace {
 };
 
 // The faces that lie in a node's plane, inside its range. None is longer than `max_units`.
-std::vector<GridFace> find_faces(const Grid& grid, const GridTree::Node& node, float max_units);
+std::vector<GridFace> find_faces(const CellGrid& grid, const GridTree::Node& node, float max_units);
 
 // Which points of a grid are corners of faces. A face's outline has a vertex at each that lies on its border,
 // so that no edge ends in the middle of another face's.
 class Corners {
  public:
-  Corners(const Grid& grid, const std::vector<GridFace>& faces);
+  Corners(const CellGrid& grid, const std::vector<GridFace>& faces);
   bool has(const CellPosition& point) const { return is_corner_[index(point)]; }
 
  private:
@@ -45,6 +45,6 @@ class Corners {
 };
 
 // The face's vertices, clockwise seen from its front.
-std::vector<math::Vec3> outline(const Grid& grid, const GridFace& face, const Corners& corners);
+std::vector<math::Vec3> outline(const CellGrid& grid, const GridFace& face, const Corners& corners);
 
 }  // namespace temblor::artgen

@@ -47,7 +47,7 @@ TextureLayout layout_of(const GridFace& face, float texels_per_unit) {
   return {face.axis == 0 ? std::size_t{1} : std::size_t{0}, 2, texels_per_unit};
 }
 
-GridLighter::GridLighter(const Plan& plan, const Grid& grid) : plan_(plan), grid_(grid) {
+GridLighter::GridLighter(const SmallLevelPlan& plan, const CellGrid& grid) : plan_(plan), grid_(grid) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::vector<float>& lines = grid.lines[axis];
     const auto units = static_cast<std::size_t>(lines.back() - lines.front());
@@ -84,7 +84,8 @@ math::Vec3 GridLighter::light_at(const PlanLight& light, const math::Vec3& posit
   return light.colour * ((light.reach - distance) * (0.5f + 0.5f * slant));
 }
 
-FaceLight GridLighter::light(const Grid& face_grid, const GridFace& face, const TextureLayout& layout) const {
+FaceLight GridLighter::light(const CellGrid& face_grid, const GridFace& face,
+                             const TextureLayout& layout) const {
   const math::Bounds bounds = face_grid.bounds({face.front_cells().first, face.front_cells().last});
   const auto axis = static_cast<int>(face.axis);
   math::Vec3 normal(0.0f);

@@ -27,16 +27,16 @@ struct FaceLight {
 class GridLighter {
  public:
   // Keeps references to both.
-  GridLighter(const Plan& plan, const Grid& grid);
+  GridLighter(const SmallLevelPlan& plan, const CellGrid& grid);
 
-  FaceLight light(const Grid& face_grid, const GridFace& face, const TextureLayout& layout) const;
+  FaceLight light(const CellGrid& face_grid, const GridFace& face, const TextureLayout& layout) const;
 
  private:
   bool blocked(const math::Vec3& from, const math::Vec3& to) const;
   math::Vec3 light_at(const PlanLight& light, const math::Vec3& position, const math::Vec3& normal) const;
 
-  const Plan& plan_;
-  const Grid& grid_;
+  const SmallLevelPlan& plan_;
+  const CellGrid& grid_;
   std::array<std::vector<std::uint16_t>, 3> cell_of_unit_;  // from the grid's first line, for each whole unit
 };
 

@@ -17,7 +17,7 @@ struct Split {
 };
 
 // The share of the plane's cross-section of the range where the contents on its two sides differ.
-double changing_share(const Grid& grid, const CellRange& range, std::size_t axis, std::size_t line) {
+double changing_share(const CellGrid& grid, const CellRange& range, std::size_t axis, std::size_t line) {
   const std::size_t u = (axis + 1) % 3;
   const std::size_t v = (axis + 2) % 3;
   std::size_t changing = 0;
@@ -35,7 +35,7 @@ double changing_share(const Grid& grid, const CellRange& range, std::size_t axis
   return static_cast<double>(changing) / static_cast<double>(squares);
 }
 
-std::optional<Split> choose_split(const Grid& grid, const CellRange& range) {
+std::optional<Split> choose_split(const CellGrid& grid, const CellRange& range) {
   std::optional<Split> best;
   double best_score = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -57,7 +57,7 @@ std::optional<Split> choose_split(const Grid& grid, const CellRange& range) {
 
 }  // namespace
 
-GridTree build_grid_tree(const Grid& grid) {
+GridTree build_grid_tree(const CellGrid& grid) {
   struct Pending {
     CellRange range;
     std::size_t parent;

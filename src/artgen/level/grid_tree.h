@@ -26,6 +26,6 @@ struct GridTree {
 };
 
 // The grid must have cells of more than one contents.
-GridTree build_grid_tree(const Grid& grid);
+GridTree build_grid_tree(const CellGrid& grid);
 
 }  // namespace temblor::artgen

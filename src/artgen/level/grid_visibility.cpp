@@ -10,7 +10,7 @@ constexpr std::uint32_t kNoLeaf = 0xffffffff;
 
 // Calls visit(index of the cell) for every cell of a range.
 template <typename Visit>
-void for_each_cell(const Grid& grid, const CellRange& range, Visit visit) {
+void for_each_cell(const CellGrid& grid, const CellRange& range, Visit visit) {
   for (std::size_t z = range.first[2]; z < range.last[2]; ++z)
     for (std::size_t y = range.first[1]; y < range.last[1]; ++y)
       for (std::size_t x = range.first[0]; x < range.last[0]; ++x) visit(grid.index({x, y, z}));
@@ -18,7 +18,7 @@ void for_each_cell(const Grid& grid, const CellRange& range, Visit visit) {
 
 class Flood {
  public:
-  explicit Flood(const Grid& grid) : grid_(grid) {}
+  explicit Flood(const CellGrid& grid) : grid_(grid) {}
 
   // Marks in io_seen what lies along lines from the range that run up (or down) each axis as told. The grid's
   // outermost cells are never open, so steps need no bounds check.
@@ -49,13 +49,13 @@ class Flood {
   }
 
  private:
-  const Grid& grid_;
+  const CellGrid& grid_;
   std::vector<bool> passes_;
 };
 
 }  // namespace
 
-std::vector<std::vector<std::uint8_t>> visible_leafs(const Grid& grid,
+std::vector<std::vector<std::uint8_t>> visible_leafs(const CellGrid& grid,
                                                      std::span<const GridTree::Leaf> leafs) {
   std::vector<std::uint32_t> leaf_of_cell(grid.cells.size(), kNoLeaf);
   for (std::size_t leaf = 0; leaf < leafs.size(); ++leaf)

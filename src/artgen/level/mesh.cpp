@@ -2,20 +2,20 @@
 
 namespace temblor::artgen {
 
-Mesh::Mesh(formats::Bsp& io_bsp, bool share_without_limit)
+LevelMesh::LevelMesh(formats::Bsp& io_bsp, bool share_without_limit)
     : bsp_(io_bsp), share_without_limit_(share_without_limit) {
   // Edge 0 is never used: it has no negative.
   bsp_.edges.emplace_back();
 }
 
-std::uint32_t Mesh::add_vertex(const math::Vec3& position) {
+std::uint32_t LevelMesh::add_vertex(const math::Vec3& position) {
   const auto next = static_cast<std::uint32_t>(bsp_.vertices.size());
   const auto [entry, is_new] = vertices_.try_emplace({position.x, position.y, position.z}, next);
   if (is_new) bsp_.vertices.push_back(position);
   return entry->second;
 }
 
-std::int32_t Mesh::add_surfedge(std::uint32_t from, std::uint32_t to) {
+std::int32_t LevelMesh::add_surfedge(std::uint32_t from, std::uint32_t to) {
   if (const auto against = open_edges_.find({to, from}); against != open_edges_.end()) {
     const auto edge = static_cast<std::int32_t>(against->second);
     if (!share_without_limit_) open_edges_.erase(against);
@@ -29,7 +29,7 @@ std::int32_t Mesh::add_surfedge(std::uint32_t from, std::uint32_t to) {
   return static_cast<std::int32_t>(edge);
 }
 
-SurfedgeRange Mesh::add_loop(std::span<const math::Vec3> vertices) {
+SurfedgeRange LevelMesh::add_loop(std::span<const math::Vec3> vertices) {
   const auto first = static_cast<std::uint32_t>(bsp_.surfedges.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const std::uint32_t from = add_vertex(vertices[i]);

@@ -16,10 +16,10 @@ struct SurfedgeRange {
 };
 
 // Writes into the vertices, edges and surfedges of a level, which must outlive it and be empty at first.
-class Mesh {
+class LevelMesh {
  public:
   // An edge is used by two faces at most, once in each direction, unless `share_without_limit`.
-  Mesh(formats::Bsp& io_bsp, bool share_without_limit);
+  LevelMesh(formats::Bsp& io_bsp, bool share_without_limit);
 
   SurfedgeRange add_loop(std::span<const math::Vec3> vertices);
 

@@ -15,13 +15,13 @@ constexpr std::int32_t kContentsWater = -3;
 constexpr std::int32_t kContentsSky = -6;
 
 // What the surfaces around (or of, for solid boxes) a box are covered with.
-enum class Look : std::uint8_t { kNone, kHall, kCorridor, kCourt, kCellar, kTrim, kPanel, kDoor };
+enum class CellLook : std::uint8_t { kNone, kHall, kCorridor, kCourt, kCellar, kTrim, kPanel, kDoor };
 
 // Painted over what was there before.
 struct PlanBox {
   math::Bounds bounds;
   std::int32_t contents;
-  Look look;
+  CellLook look;
 };
 
 struct PlanLight {
@@ -37,13 +37,13 @@ struct PlanThing {
   float yaw_deg;
 };
 
-struct Plan {
+struct SmallLevelPlan {
   std::vector<PlanBox> boxes;
   math::Bounds door;
   std::vector<PlanLight> lights;
   std::vector<PlanThing> things;
 };
 
-Plan make_plan(const SmallLevelOptions& options);
+SmallLevelPlan make_plan(const SmallLevelOptions& options);
 
 }  // namespace temblor::artgen

@@ -55,6 +55,8 @@ struct Scope {
   Point size{0};  // of the room; 0 at the level's own lines
   Surfaces surfaces;
   std::string copy;  // what stands for a $ in names
+
+  Box whole() const { return {Point(0), size}; }
 };
 
 struct Room {

@@ -11,13 +11,9 @@ namespace {
 
 constexpr int kDoorThick = 16;
 
-Box whole_room(const Scope& scope) {
-  return {Point(0), scope.size};
-}
-
 // In the middle of an opening, across it.
 Box door_in(const Scope& scope, int thick) {
-  Box box = whole_room(scope);
+  Box box = scope.whole();
   const int axis = scope.size.x <= scope.size.y ? 0 : 1;
   const int middle = scope.size[axis] / 2;
   box.low[axis] = middle - thick / 2;
@@ -66,7 +62,7 @@ base::Status read_door(const RecipeLine& recipe, const Scope& scope, Plan& io_pl
 // A piece of wall that goes back and then aside; open=shot (any hit opens it) or a name= to be used by.
 base::Status read_secret_door(const RecipeLine& recipe, const Scope& scope, Plan& io_plan) {
   PlanLine line(recipe, scope);
-  const Box box = line.box_or(whole_room(scope));
+  const Box box = line.box_or(scope.whole());
   if (!box.has_volume()) line.complain("it has a box, or stands in an opening");
   const Looks looks = line.looks(line.to_world(box), scope.surfaces[index_of(Side::kNorth)]);
   const Side first = line.side("first", Side::kDown);
@@ -195,7 +191,7 @@ base::Status read_button(const RecipeLine& recipe, const Scope& scope, Plan& io_
 }
 
 base::Status put_trigger(PlanLine& line, std::string_view classname, int flags, Plan& io_plan) {
-  const Box box = line.box_or(whole_room(line.scope()));
+  const Box box = line.box_or(line.scope().whole());
   if (!box.has_volume()) line.complain("it has a box, or stands in a room");
   formats::Entity trigger = entity_of(line, classname, flags);
   if (line.has("way")) set_key(trigger, "angle", move_angle(line, line.side("way", Side::kUp)));
@@ -227,7 +223,7 @@ base::Status read_exit(const RecipeLine& recipe, const Scope& scope, Plan& io_pl
 // A glowing field, and what it does to who enters it: to= an arrival's name, or map= a level's.
 base::Status read_teleporter(const RecipeLine& recipe, const Scope& scope, Plan& io_plan) {
   PlanLine line(recipe, scope);
-  const Box box = line.box_or(whole_room(scope));
+  const Box box = line.box_or(scope.whole());
   if (!box.has_volume()) line.complain("it has a box, or stands in an opening");
   const Box box_world = line.to_world(box);
   const Looks looks = line.looks(box_world, "*tele1");
@@ -246,7 +242,7 @@ base::Status read_teleporter(const RecipeLine& recipe, const Scope& scope, Plan&
 base::Status read_brush(const RecipeLine& recipe, const Scope& scope, Plan& io_plan) {
   PlanLine line(recipe, scope);
   const std::string classname = line.word();
-  const Box box = line.box_or(whole_room(scope));
+  const Box box = line.box_or(scope.whole());
   const Looks looks = line.looks(line.to_world(box), "trigger");
   formats::Entity entity = entity_of(line, classname);
   if (line.has("way")) set_key(entity, "angle", move_angle(line, line.side("way", Side::kUp)));

@@ -11,10 +11,6 @@
 namespace temblor::artgen {
 namespace {
 
-Box whole_room(const Scope& scope) {
-  return {Point(0), scope.size};
-}
-
 base::Status read_block(const RecipeLine& recipe, const Scope& scope, Plan& io_plan) {
   PlanLine line(recipe, scope);
   const Box box = line.box();
@@ -133,7 +129,7 @@ double arch_height(double at, bool pointed) {
 // Fills what is above the arch that fits the box: along= is the way one goes through.
 base::Status read_arch(const RecipeLine& recipe, const Scope& scope, Plan& io_plan) {
   PlanLine line(recipe, scope);
-  const Box box = line.box_or(whole_room(scope));
+  const Box box = line.box_or(scope.whole());
   const Point size = box.size();
   const std::string along_name = line.text("along", size.x < size.y ? "x" : "y");
   if (along_name != "x" && along_name != "y") line.complain("along= is x or y");

@@ -3,25 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
-#include <system_error>
 
+#include "artgen/recipe.h"
 #include "base/text.h"
 
 namespace temblor::artgen {
 namespace {
 
 constexpr double kUnknown_s = -1;
-
-std::optional<double> number_in(std::string_view text) {
-  double value = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (failure != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
-  return value;
-}
 
 // The first is at 0 and the last at the end where they do not say.
 void spread_times(std::vector<TimedWord>& io_words, double length_s) {

@@ -11,7 +11,7 @@
 #include "artgen/sounds/curve.h"
 #include "artgen/sounds/filters.h"
 #include "artgen/sounds/materials.h"
-#include "artgen/sounds/room.h"
+#include "artgen/sounds/reverb.h"
 #include "artgen/sounds/vowels.h"
 #include "base/text.h"
 
@@ -84,7 +84,7 @@ void keeping_peak(Signal& io_signal, Change change) {
 
 void resonate(Arguments& io_arguments, const EffectContext& context, Signal& io_signal) {
   const std::string name = io_arguments.text();
-  const Material* material = find_material(name);
+  const SoundMaterial* material = find_material(name);
   if (material == nullptr) {
     io_arguments.complain(fmt::format("'{}' is none of {}", base::quotable(name), material_names()));
     material = &materials().front();
@@ -165,12 +165,12 @@ void echo(Arguments& io_arguments, const EffectContext& context, Signal& io_sign
 }
 
 void room(Arguments& io_arguments, const EffectContext& context, Signal& io_signal) {
-  Room::Settings settings;
+  Reverb::Settings settings;
   settings.size = io_arguments.number("size", 0.3, 0, 1);
   settings.ring_s = io_arguments.number("ring", 0.8, 0.05, 20);
   settings.dull_hz = io_arguments.number("dull", 4000, 20, kHertz.highest);
   const double mix = io_arguments.number("mix", 0.3, 0, 2);
-  Room echoes(settings, context.rate);
+  Reverb echoes(settings, context.rate);
   for (double& sample : io_signal) sample += mix * echoes.step(sample).left;
 }
 

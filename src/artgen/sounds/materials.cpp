@@ -11,8 +11,8 @@
 namespace temblor::artgen {
 namespace {
 
-const std::array<Material, 11>& table() {
-  static const std::array<Material, 11> materials = {{
+const std::array<SoundMaterial, 11>& table() {
+  static const std::array<SoundMaterial, 11> materials = {{
       {"bar", {1, 2.756, 5.404, 8.933, 13.34, 18.64}, 1.6, 0.7},
       {"bell", {0.5, 1, 1.19, 1.506, 2, 2.514, 2.662, 3.011, 4.166, 5.433, 6.796, 8.215}, 5, 0.8},
       {"bone", {1, 1.82, 2.93, 4.7, 6.1, 9.2}, 0.12, 0.5},
@@ -30,23 +30,23 @@ const std::array<Material, 11>& table() {
 
 }  // namespace
 
-std::span<const Material> materials() {
+std::span<const SoundMaterial> materials() {
   return table();
 }
 
-const Material* find_material(std::string_view name) {
+const SoundMaterial* find_material(std::string_view name) {
   const auto found = std::find_if(table().begin(), table().end(),
-                                  [&](const Material& material) { return material.name == name; });
+                                  [&](const SoundMaterial& material) { return material.name == name; });
   return found != table().end() ? &*found : nullptr;
 }
 
 std::string material_names() {
   std::string names;
-  for (const Material& material : table()) names.append(names.empty() ? "" : ", ").append(material.name);
+  for (const SoundMaterial& material : table()) names.append(names.empty() ? "" : ", ").append(material.name);
   return names;
 }
 
-Resonances::Resonances(const Material& material, const Settings& settings, double rate) {
+Resonances::Resonances(const SoundMaterial& material, const Settings& settings, double rate) {
   Noise noise(settings.seed);
   double sum = 0;
   for (const double ratio : material.ratios) {

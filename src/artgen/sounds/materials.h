@@ -10,15 +10,15 @@
 
 namespace temblor::artgen {
 
-struct Material {
+struct SoundMaterial {
   std::string_view name;
   std::vector<double> ratios;  // of the resonances to the lowest
   double ring_s = 1;           // until the lowest has lost 60 dB
   double damping = 1;          // a resonance of ratio r rings r^-damping as long
 };
-std::span<const Material> materials();
+std::span<const SoundMaterial> materials();
 // Null where there is none.
-const Material* find_material(std::string_view name);
+const SoundMaterial* find_material(std::string_view name);
 // "bell, bone, ...", for messages.
 std::string material_names();
 
@@ -31,7 +31,7 @@ class Resonances {
     double spread = 0;  // how far each is mistuned, as a part of its frequency; by `seed`
     std::uint64_t seed = 0;
   };
-  Resonances(const Material& material, const Settings& settings, double rate);
+  Resonances(const SoundMaterial& material, const Settings& settings, double rate);
   double step(double sample);
 
  private:

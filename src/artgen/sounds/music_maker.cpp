@@ -80,10 +80,10 @@ base::Status lay_notes(const Score& score, Mix& io_mix) {
 
 // Twice round: the second time, the echoes of the end are there at the beginning.
 void add_room(const Score& score, Mix& io_mix) {
-  Room room(score.room, kMusicRate);
+  Reverb room(score.room, kMusicRate);
   for (const double sample : io_mix.into_room) room.step(sample);
   for (std::size_t i = 0; i < io_mix.into_room.size(); ++i) {
-    const Room::Echoes echoes = room.step(io_mix.into_room[i]);
+    const Reverb::Echoes echoes = room.step(io_mix.into_room[i]);
     io_mix.channels[0][i] += echoes.left;
     io_mix.channels[1][i] += echoes.right;
   }

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "artgen/recipe.h"
-#include "artgen/sounds/room.h"
+#include "artgen/sounds/reverb.h"
 #include "base/result.h"
 
 namespace temblor::artgen {
@@ -52,7 +52,7 @@ struct Score {
   double beats = 4;  // of all of it
   float quality = 0.3F;
   double louder_db = 0;
-  Room::Settings room;
+  Reverb::Settings room;
   std::vector<Instrument> instruments;
   std::vector<Pattern> patterns;
   std::vector<Playing> playings;

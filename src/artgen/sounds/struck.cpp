@@ -15,9 +15,9 @@
 namespace temblor::artgen {
 namespace {
 
-const Material& read_material(Arguments& io_arguments) {
+const SoundMaterial& read_material(Arguments& io_arguments) {
   const std::string name = io_arguments.text();
-  if (const Material* found = find_material(name)) return *found;
+  if (const SoundMaterial* found = find_material(name)) return *found;
   io_arguments.complain(fmt::format("'{}' is none of {}", base::quotable(name), material_names()));
   return materials().front();
 }
@@ -38,7 +38,7 @@ Signal hammer(double hardness, std::size_t count, double rate, Noise& io_noise) 
 }  // namespace
 
 Signal make_strike(Arguments& io_arguments, const VoiceContext& context) {
-  const Material& material = read_material(io_arguments);
+  const SoundMaterial& material = read_material(io_arguments);
   const Curve pitch = pitch_setting(io_arguments, context, 440);
   Resonances::Settings settings;
   settings.pitch = pitch.at(0);

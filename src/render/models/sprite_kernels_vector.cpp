@@ -36,9 +36,9 @@ constexpr int kMostLanes = 16;
 // Texels are gathered four at a time, from where four are left; a picture of fewer is for the plain twin.
 constexpr int kGatheredTexels = 4;
 
-struct Line {
+struct LanesOfLine {
   VF base, step;
-  HWY_INLINE explicit Line(const SpriteLine& line)
+  HWY_INLINE explicit LanesOfLine(const SpriteLine& line)
       : base(hn::Set(DF(), line.base)), step(hn::Set(DF(), line.step)) {}
   HWY_INLINE VF At(VF i) const { return hn::Add(base, hn::Mul(i, step)); }
 };
@@ -46,7 +46,7 @@ struct Line {
 // A row's constants, each in every lane. Writing pixels may change anything in memory; these stay in
 // registers.
 struct Row {
-  Line depth, s, t;
+  LanesOfLine depth, s, t;
   VF last_s, last_t;
   VI width, last_gathered;
   const int32_t* texels;

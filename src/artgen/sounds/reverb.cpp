@@ -1,10 +1,10 @@
-#include "artgen/sounds/room.h"
+#include "artgen/sounds/reverb.h"
 
 #include <cmath>
 
 namespace temblor::artgen {
 
-Room::Room(const Settings& settings, double rate) {
+Reverb::Reverb(const Settings& settings, double rate) {
   // Times in proportions that share no multiples: powers of a ratio, and a little more each.
   double length_s = 0.011 + 0.04 * settings.size;
   for (Line& line : lines_) {
@@ -15,7 +15,7 @@ Room::Room(const Settings& settings, double rate) {
   }
 }
 
-Room::Echoes Room::step(double sample) {
+Reverb::Echoes Reverb::step(double sample) {
   std::array<double, kLines> out{};
   double sum = 0;
   for (std::size_t k = 0; k < kLines; ++k) {

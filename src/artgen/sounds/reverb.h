@@ -9,7 +9,7 @@
 
 namespace temblor::artgen {
 
-class Room {
+class Reverb {
  public:
   struct Settings {
     double size = 0.3;      // 0: a cupboard, 1: a cathedral
@@ -20,7 +20,7 @@ class Room {
     double left = 0, right = 0;
   };
 
-  Room(const Settings& settings, double rate);
+  Reverb(const Settings& settings, double rate);
   Echoes step(double sample);
 
  private:
