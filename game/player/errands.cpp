@@ -9,7 +9,7 @@ namespace {
 
 namespace field = server::field;
 
-constexpr float kReach_units = 64;
+constexpr float kFromPlace_units = 64;
 constexpr double kForgiveAfter_s = 6, kDeadEndAfter_s = 10;
 constexpr int kSecretTries = 3;
 
@@ -50,10 +50,10 @@ std::optional<Task> Brain::interrupted_task(std::uint32_t at) {
 }
 
 int Brain::nearest_place(const Self& self) const {
-  const int at = map_->graph.nearest(self.origin, kReach_units, [&](const Place& place) {
+  const int at = map_->graph.nearest(self.origin, kFromPlace_units, [&](const Place& place) {
     return place.mover < 0 || movers_.state(place.mover) == place.state;
   });
-  return at >= 0 ? at : map_->graph.nearest(self.origin, kReach_units);
+  return at >= 0 ? at : map_->graph.nearest(self.origin, kFromPlace_units);
 }
 
 void Brain::find_work(const Self& self, double now_s) {

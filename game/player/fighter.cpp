@@ -19,7 +19,7 @@ constexpr float kStrafeSpeed = 320, kAxeFight_units = 110;
 constexpr float kProbe_units = 56;
 constexpr float kTooClose_units = 190, kFarForShot_units = 480;
 constexpr double kWeaponPause_s = 0.5, kMotion_s = 0.2;
-constexpr float kSameFloor_units = 48;
+constexpr float kLevelWithUs_units = 48;
 
 struct Weapon {
   int bit = 0, impulse = 0;
@@ -154,7 +154,7 @@ bool Fighter::can_roll(const Self& self, const server::Edict& enemy, double now_
     rolls_ = dice_->unit() < 0.5f;
   }
   return rolls_ && self.on_ground && enemy.has_flag(server::flag::kOnGround) &&
-         std::abs(enemy[field::kOrigin].z + enemy[field::kMins].z - self.origin.z + 24) < kSameFloor_units;
+         std::abs(enemy[field::kOrigin].z + enemy[field::kMins].z - self.origin.z + 24) < kLevelWithUs_units;
 }
 
 float Fighter::reach_for_target(const Self& self) {

@@ -8,12 +8,12 @@
 namespace temblor::player {
 namespace {
 
-constexpr float kReach_units = 6;
+constexpr float kPickedUp_units = 6;
 constexpr float kCostOfWay = 0.5f, kWhim = 350;
 constexpr float kWorthless = -1e9f;  // the way may cost more than what lies at its end
 constexpr std::size_t kRemembered = 4;
 
-float worth_of(std::string_view name, const Self& self, int weapon_bit) {
+float worth_roaming_for(std::string_view name, const Self& self, int weapon_bit) {
   if (name.starts_with("item_artifact_super")) return 2200;
   if (name.starts_with("item_artifact")) return 1200;
   if (name.starts_with("item_armor")) return self.armour < 100 ? 1000.0f : 300.0f;
@@ -30,11 +30,11 @@ std::optional<Task> Brain::task_for_roaming(std::uint32_t at) {
     const auto number = static_cast<std::uint32_t>(entity);
     if (std::find(was_lately_.begin(), was_lately_.end(), number) != was_lately_.end()) return std::nullopt;
     const std::string name = class_name(*game_, entity);
-    return worth_of(name, self, weapon_bit_of(name)) + dice_.between(0, kWhim);
+    return worth_roaming_for(name, self, weapon_bit_of(name)) + dice_.between(0, kWhim);
   };
   const std::optional<Pick> best = best_pick(
       *game_, map_->graph, router_.costs_from(at),
-      {.reach_units = kReach_units, .cost_of_way = kCostOfWay, .least_value = kWorthless}, appraise);
+      {.reach_units = kPickedUp_units, .cost_of_way = kCostOfWay, .least_value = kWorthless}, appraise);
   if (!best) return std::nullopt;
   was_lately_.push_back(static_cast<std::uint32_t>(best->entity));
   if (was_lately_.size() > kRemembered) was_lately_.pop_front();

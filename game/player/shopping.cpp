@@ -11,11 +11,11 @@ namespace field = server::field;
 
 constexpr float kFarthestCost = 900, kFarthestInNeedCost = 1400;
 constexpr float kWoundedHealth = 65, kFewShells = 12;
-constexpr float kReach_units = 8;
+constexpr float kTaken_units = 8;
 constexpr int kMostTries = 2;
 
 // How far somebody would go for it.
-float worth_of(std::string_view name, const Self& self, int weapon_bit) {
+float worth_shopping_for(std::string_view name, const Self& self, int weapon_bit) {
   if (name == "item_health")
     return self.health < 40 ? 1400.0f : self.health < 65 ? 800.0f : self.health < 88 ? 350.0f : 0.0f;
   if (name.starts_with("item_armor")) return self.armour < 50 ? 500.0f : self.armour < 100 ? 200.0f : 0.0f;
@@ -41,14 +41,14 @@ std::optional<Task> Brain::task_for_item(server::Game& io_game, const Self& self
     const auto tried = tried_items_.find(static_cast<std::uint32_t>(entity));
     if (tried != tried_items_.end() && tried->second >= kMostTries) return std::nullopt;
     const std::string name = class_name(io_game, entity);
-    const float worth = worth_of(name, self, weapon_bit_of(name));
+    const float worth = worth_shopping_for(name, self, weapon_bit_of(name));
     // No way is shorter than the line.
     const float distance = glm::distance(io_game.world().edicts[entity][field::kOrigin], self.origin);
     if (worth <= 0 || distance > worth) return std::nullopt;
     return worth;
   };
   const std::optional<Pick> best =
-      best_pick(io_game, map_->graph, costs, {.reach_units = kReach_units}, appraise);
+      best_pick(io_game, map_->graph, costs, {.reach_units = kTaken_units}, appraise);
   if (!best) return std::nullopt;
   std::optional<Task> task = task_to_take(io_game, *best, at);
   if (task) ++tried_items_[static_cast<std::uint32_t>(best->entity)];

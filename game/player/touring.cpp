@@ -10,12 +10,12 @@
 namespace temblor::player {
 namespace {
 
-constexpr float kNear_units = 96;
+constexpr float kStop_units = 96;
 constexpr float kLooksAside_deg = 22;
 constexpr double kLooksAround_s = 5;
 constexpr double kTakesWeapon_s = 0.15;
 constexpr float kAim_deg = 25;
-constexpr int kMostTries = 5;  // at a button
+constexpr int kMostPushes = 5;  // at a button
 
 }  // namespace
 
@@ -32,7 +32,7 @@ std::optional<Task> Brain::task_for_stop(std::uint32_t at) {
       task.stay_s = stop.stay_s;
       task.impulse = stop.impulse;
       task.describe = fmt::format("stop {}", stop.number);
-      if (const int goal = map_->graph.nearest(stop.at, kNear_units); goal >= 0)
+      if (const int goal = map_->graph.nearest(stop.at, kStop_units); goal >= 0)
         task.goals = {static_cast<std::uint32_t>(goal)};
       planned = planner_.plan(at, std::move(task));
     }
@@ -46,7 +46,7 @@ std::optional<Task> Brain::task_for_stop(std::uint32_t at) {
 std::optional<Task> Brain::task_for_button(std::uint32_t at, const Stop& stop) {
   for (const Activator& button : map_->facts.activators) {
     if (button.kind != ActivatorKind::kPress || button.target != stop.presses ||
-        planner_.uses(button.entity) >= kMostTries)
+        planner_.uses(button.entity) >= kMostPushes)
       continue;
     Task task = planner_.task_for(TaskKind::kPress, button.entity);
     task.stop = stop.number;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kRunSpeed = 400;
 constexpr float kGravity = 800;
-constexpr float kNear_units = 26, kNearHeight_units = 40;
+constexpr float kArrived_units = 26, kArrivedHeight_units = 40;
 constexpr float kLost_units = 90;
 constexpr std::size_t kLookAhead = 14;
 constexpr float kLookAhead_units = 160;
@@ -113,12 +113,12 @@ WalkEnd Walker::lose(float blame) {
 // Over plain ways, to the one that he is nearest to.
 void Walker::advance(const Self& self, double now_s) {
   std::size_t best = index_;
-  float best_distance = kNear_units;
+  float best_distance = kArrived_units;
   for (std::size_t i = index_ + 1; i <= std::min(index_ + kLookAhead, route_->ways.size()); ++i) {
     // Under a lift that is elsewhere he has not stepped onto it.
     if (!is_plain(i - 1) || waits_for_mover(route_->ways[i - 1])) break;
     const Place& place = graph_->place(route_->places[i]);
-    if (std::abs(place.at.z - self.origin.z) > kNearHeight_units) continue;
+    if (std::abs(place.at.z - self.origin.z) > kArrivedHeight_units) continue;
     const float distance = level_distance(place.at, self.origin);
     if (distance < best_distance) {
       best_distance = distance;

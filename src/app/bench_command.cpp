@@ -14,7 +14,7 @@
 namespace temblor::app {
 namespace {
 
-constexpr const char* kHelpFooter =
+constexpr const char* kBenchHelpFooter =
     R"(In a level: stands at every player start, teleport destination and intermission camera and turns a full
 circle. Everything is drawn once before it is timed. In a recording: a frame for each of its packets, once, with all
 that belongs to it. Beside each frame runs the floor: a plain loop that fills the frame from one texture; a frame's
@@ -76,7 +76,7 @@ CLI::App* add_bench_command(CLI::App& program, BenchOptions& io_options) {
                  "Prints the table of docs/performance.md instead (takes minutes; sizes, threads and formats "
                  "are its own)")
       ->excludes(json);
-  command->footer(kHelpFooter);
+  command->footer(kBenchHelpFooter);
   return command;
 }
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
 namespace temblor::app {
 
 void add_common_options(CLI::App& program, CommonOptions& io_options) {

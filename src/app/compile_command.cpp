@@ -19,7 +19,7 @@
 namespace temblor::app {
 namespace {
 
-constexpr const char* kHelpFooter = R"(Examples:
+constexpr const char* kCompileHelpFooter = R"(Examples:
   temblor --basedir quake compile maps/castle.map -o quake/id1/maps/castle.bsp
   temblor compile castle.map --wad wads --fast --watch
   temblor compile castle.map --textures art --extra 4
@@ -144,7 +144,7 @@ CLI::App* add_compile_command(CLI::App& program, CompileCommandOptions& io_optio
   command->add_option("--threads", io_options.threads, "Threads; 0: one for each core")
       ->type_name("N")
       ->check(CLI::Range(0, 256));
-  command->footer(kHelpFooter);
+  command->footer(kCompileHelpFooter);
   return command;
 }
 

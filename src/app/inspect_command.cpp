@@ -9,7 +9,7 @@
 namespace temblor::app {
 namespace {
 
-constexpr const char* kHelpFooter =
+constexpr const char* kInspectHelpFooter =
     R"(Known formats: levels (.bsp versions 29, 2PSB, BSP2), maps (.map), coloured light (.lit), entity text (.ent),
 archives (.pak, .pk3, .wad), pictures, palettes and colormaps (.lmp), models (.mdl), sprites (.spr),
 recordings (.dem), compiled QuakeC (.dat).
@@ -59,7 +59,7 @@ CLI::App* add_inspect_command(CLI::App& program, InspectOptions& io_options) {
       ->check(CLI::Range(0, 255))
       ->capture_default_str()
       ->needs(picture);
-  command->footer(kHelpFooter);
+  command->footer(kInspectHelpFooter);
   return command;
 }
 

@@ -11,7 +11,7 @@
 namespace temblor::app {
 namespace {
 
-constexpr std::uint8_t kTransparent = 255;
+constexpr std::uint8_t kTransparentPixel = 255;
 constexpr int kNormalRow = 31;  // of a colormap: light that leaves colours as they are
 
 std::string hex(const formats::Rgb& colour) {
@@ -25,7 +25,7 @@ base::Result<Inspection> inspect_picture(base::Bytes bytes) {
   return Inspection{
       {"width", picture.width},
       {"height", picture.height},
-      {"transparent pixels", std::count(picture.pixels.begin(), picture.pixels.end(), kTransparent)},
+      {"transparent pixels", std::count(picture.pixels.begin(), picture.pixels.end(), kTransparentPixel)},
       {"problems", Inspection::array()}};
 }
 

@@ -35,7 +35,7 @@ constexpr std::size_t kSpreadFrames = 8;
 constexpr float kFovDeg = 30;
 constexpr double kMargin = 1.05;             // of what a picture shows around what must be seen
 constexpr std::size_t kMostSide_px = 16384;  // of a sheet
-constexpr double kRoomSide = 3072, kRoomHeight = 1536, kWall = 16;  // units
+constexpr double kRoomSide = 3072, kRoomHeight = 1536, kWall_units = 16;
 
 struct View {
   std::string_view name;
@@ -91,9 +91,9 @@ base::Result<std::shared_ptr<const world::Level>> make_studio(const formats::Pal
   const double half = kRoomSide / 2;
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool upper : {false, true}) {
-      math::Vec3d low(-half - kWall, -half - kWall, -kWall),
-          high(half + kWall, half + kWall, kRoomHeight + kWall);
-      (upper ? low : high)[axis] = upper ? high[axis] - kWall : low[axis] + kWall;
+      math::Vec3d low(-half - kWall_units, -half - kWall_units, -kWall_units),
+          high(half + kWall_units, half + kWall_units, kRoomHeight + kWall_units);
+      (upper ? low : high)[axis] = upper ? high[axis] - kWall_units : low[axis] + kWall_units;
       text += brush(low, high, axis == 2 && !upper ? "floor" : "wall");
     }
   }

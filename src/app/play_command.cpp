@@ -21,7 +21,7 @@
 namespace temblor::app {
 namespace {
 
-constexpr const char* kHelpFooter =
+constexpr const char* kPlayHelpFooter =
     R"(Escape opens the menu, ` the console; `help NAME` there explains a command or variable.
 
 Examples:
@@ -109,7 +109,7 @@ CLI::App* add_play_command(CLI::App& program, PlayOptions& io_options) {
   command->add_option("--duration", io_options.duration_s, "Ends by itself after so many seconds")
       ->type_name("SECONDS")
       ->check(CLI::NonNegativeNumber);
-  command->footer(kHelpFooter);
+  command->footer(kPlayHelpFooter);
   return command;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using base::ErrorCode;
 
-constexpr const char* kHelpFooter =
+constexpr const char* kRenderHelpFooter =
     R"(Without --pos and --angles: the eye of a player at the level's start, or for orthographic
 projection the whole level from above. --basedir, --game, --set and --show: see temblor --help.
 
@@ -134,7 +134,7 @@ CLI::App* add_render_command(CLI::App& program, RenderOptions& io_options) {
                    "x.png, x-%05d.png (a picture a frame), x.mp4, x.y4m, or x.wav (a recording's sound)")
       ->type_name("OUT")
       ->required();
-  command->footer(kHelpFooter);
+  command->footer(kRenderHelpFooter);
   return command;
 }
 

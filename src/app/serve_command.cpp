@@ -23,7 +23,7 @@
 namespace temblor::app {
 namespace {
 
-constexpr const char* kHelpFooter =
+constexpr const char* kServeHelpFooter =
     R"(Type `help` for the console's commands, `quit` to end.
 
 Examples:
@@ -143,7 +143,7 @@ CLI::App* add_serve_command(CLI::App& program, ServeOptions& io_options) {
   command->add_option("--duration", io_options.duration_s, "Ends by itself after so many seconds")
       ->type_name("SECONDS")
       ->check(CLI::NonNegativeNumber);
-  command->footer(kHelpFooter);
+  command->footer(kServeHelpFooter);
   return command;
 }
 

@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kTryAgain_s = 2, kTrySeldom_s = 60;
 constexpr int kManyTries = 10;
-constexpr double kLongestStep_s = 0.1;
+constexpr double kLongestMixed_s = 0.1;
 
 }  // namespace
 
 SoundOutput::SoundOutput(OpenAudioDevice open) : open_(std::move(open)) {
-  unheard_.resize(2 * static_cast<std::size_t>(kLongestStep_s * audio::kFramesPerSecond));
+  unheard_.resize(2 * static_cast<std::size_t>(kLongestMixed_s * audio::kFramesPerSecond));
 }
 
 void SoundOutput::look_after_device(double time_s) {
@@ -42,7 +42,7 @@ void SoundOutput::look_after_device(double time_s) {
 
 // What would have been heard is thrown away.
 void SoundOutput::pass_without_device(double time_s) {
-  const double passed_s = std::clamp(time_s - time_s_, 0.0, kLongestStep_s);
+  const double passed_s = std::clamp(time_s - time_s_, 0.0, kLongestMixed_s);
   const auto frames = static_cast<std::size_t>(passed_s * audio::kFramesPerSecond);
   mixer_.fill(std::span(unheard_).first(2 * frames));
 }

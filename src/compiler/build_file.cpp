@@ -16,9 +16,9 @@ namespace {
 using base::ByteReader;
 using base::ByteWriter;
 
-constexpr std::uint32_t kMagic = 0x444c4254;  // "TBLD"
+constexpr std::uint32_t kBuildFileMagic = 0x444c4254;  // "TBLD"
 // To be raised when what is in the file means something else.
-constexpr std::uint32_t kVersion = 5;
+constexpr std::uint32_t kBuildFileVersion = 5;
 constexpr std::size_t kHashBytes = 8;
 constexpr const char* kCutOff = "build file: it ends within the {}";
 
@@ -181,7 +181,7 @@ base::Status read_level_part(ByteReader& io_reader, Build& io_build) {
 
 base::ByteVector write_build(const Build& build, const LevelFiles& files) {
   ByteWriter writer;
-  const std::array<std::uint32_t, 2> start{kMagic, kVersion};
+  const std::array<std::uint32_t, 2> start{kBuildFileMagic, kBuildFileVersion};
   const std::array<std::uint64_t, 2> hashes{base::hash_of_bytes(files.bsp), base::hash_of_bytes(files.lit)};
   writer.bytes(std::as_bytes(std::span(start)));
   writer.bytes(std::as_bytes(std::span(hashes)));
@@ -192,10 +192,10 @@ base::ByteVector write_build(const Build& build, const LevelFiles& files) {
 
 base::Result<Build> read_build(base::Bytes bytes, const LevelFiles& files) {
   ByteReader reader(bytes);
-  if (reader.u32() != kMagic) return base::malformed("build file: it does not begin with TBLD");
-  if (const std::uint32_t version = reader.u32(); version != kVersion)
+  if (reader.u32() != kBuildFileMagic) return base::malformed("build file: it does not begin with TBLD");
+  if (const std::uint32_t version = reader.u32(); version != kBuildFileVersion)
     return base::error(base::ErrorCode::kUnsupported, "build file: version {}, known is {}", version,
-                       kVersion);
+                       kBuildFileVersion);
   if (reader.remaining() < kHashBytes) return base::malformed(kCutOff, "hash");
   ByteReader end(bytes.last(kHashBytes));
   if (end.read<std::uint64_t>() != base::hash_of_bytes(bytes.first(bytes.size() - kHashBytes)))

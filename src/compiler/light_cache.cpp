@@ -18,9 +18,9 @@
 namespace temblor::compiler {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x48434c54;
+constexpr std::uint32_t kLightCacheMagic = 0x48434c54;
 // To be raised when the layout changes, and when light is measured in another way.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kLightCacheVersion = 1;
 constexpr std::size_t kStartBytes = 8, kHashBytes = 8;
 
 static_assert(sizeof(math::Vec3) == 3 * sizeof(float));
@@ -76,8 +76,8 @@ base::Result<LightCache::Map> read_map(base::ByteReader& io_reader) {
 
 base::ByteVector write_light_cache(const LightCache& cache) {
   base::ByteWriter writer;
-  writer.u32(kMagic);
-  writer.u32(kVersion);
+  writer.u32(kLightCacheMagic);
+  writer.u32(kLightCacheVersion);
   for (const std::uint64_t hash : {cache.geometry, cache.dirt, cache.sky}) writer.write(hash);
   write_all(cache.lights, writer);
   writer.u32(static_cast<std::uint32_t>(cache.maps.size()));
@@ -91,10 +91,10 @@ base::Result<LightCache> read_light_cache(base::Bytes bytes) {
   if (bytes.size() < kStartBytes + kHashBytes)
     return base::malformed("light cache: {} bytes are too few to be one", bytes.size());
   base::ByteReader reader(bytes.first(bytes.size() - kHashBytes)), end(bytes.last(kHashBytes));
-  if (reader.u32() != kMagic) return base::malformed("light cache: it does not begin with TLCH");
-  if (const std::uint32_t version = reader.u32(); version != kVersion)
+  if (reader.u32() != kLightCacheMagic) return base::malformed("light cache: it does not begin with TLCH");
+  if (const std::uint32_t version = reader.u32(); version != kLightCacheVersion)
     return base::error(base::ErrorCode::kUnsupported, "light cache: version {}, known is {}", version,
-                       kVersion);
+                       kLightCacheVersion);
   if (end.read<std::uint64_t>() != base::hash_of_bytes(bytes.first(bytes.size() - kHashBytes)))
     return base::malformed("light cache: damaged, its hash is not that of its bytes");
   LightCache cache;

@@ -30,7 +30,7 @@ std::string frame_key(std::string_view key, char mark) {
   return frame;
 }
 
-std::string quoted(std::string_view name) {
+std::string quoted_name(std::string_view name) {
   return fmt::format("\"{}\"", base::quotable(name));
 }
 
@@ -78,7 +78,7 @@ class TextureSetMaker {
     } else if (const std::string& first = wanted_[place->second].name;
                !base::equal_ignoring_case(name, first)) {
       warn("texture names collide", "{} and {} are one texture: a level has room for {} characters",
-           quoted(first), quoted(name), kLevelNameChars);
+           quoted_name(first), quoted_name(name), kLevelNameChars);
     }
   }
 
@@ -98,7 +98,7 @@ class TextureSetMaker {
       want(frame);
     else
       warn("animation has gaps", "{} is in none of the {} texture sources, but later frames are",
-           quoted(frame), source_count_);
+           quoted_name(frame), source_count_);
   }
 
   bool is_wanted(const std::string& key) const { return set_.index.contains(key); }
@@ -107,13 +107,13 @@ class TextureSetMaker {
     auto miptex = sources_.take(wanted.key, warnings_);
     if (!miptex) {
       if (!sources_.has(wanted.key))
-        warn("texture not found", "{} is in none of the {} texture sources", quoted(wanted.name),
+        warn("texture not found", "{} is in none of the {} texture sources", quoted_name(wanted.name),
              source_count_);
       return checker(wanted.name);
     }
     constexpr std::uint32_t kSideMultiple = 16;
     if (miptex->width % kSideMultiple != 0 || miptex->height % kSideMultiple != 0)
-      warn("texture sides", "{} has {} x {} texels: engines expect multiples of {}", quoted(wanted.name),
+      warn("texture sides", "{} has {} x {} texels: engines expect multiples of {}", quoted_name(wanted.name),
            miptex->width, miptex->height, kSideMultiple);
     if (mip_levels_ == MipLevels::kBuilt || !has_all_mips(*miptex)) build_all_mips(*miptex);
     return std::move(*miptex);

@@ -10,8 +10,8 @@ namespace temblor::compiler {
 
 namespace {
 
-constexpr std::uint32_t kMagic = 0x53495654;  // "TVIS"
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kStateFileMagic = 0x53495654;  // "TVIS"
+constexpr std::uint32_t kStateFileVersion = 1;
 constexpr std::size_t kHeaderBytes = 24, kHashBytes = 8;
 
 base::Error other_level() {
@@ -45,7 +45,7 @@ base::Status read_rows(base::ByteReader& io_reader, VisibilityState& io_state) {
 
 base::ByteVector write_visibility_state(const VisibilityState& state) {
   base::ByteWriter writer;
-  const std::array<std::uint32_t, 2> start{kMagic, kVersion};
+  const std::array<std::uint32_t, 2> start{kStateFileMagic, kStateFileVersion};
   writer.bytes(std::as_bytes(std::span(start)));
   writer.write(state.fingerprint);
   writer.u32(static_cast<std::uint32_t>(state.finished.size()));
@@ -64,10 +64,11 @@ base::Result<VisibilityState> read_visibility_state(base::Bytes bytes, const Vis
   if (bytes.size() < kHeaderBytes + kHashBytes)
     return base::malformed("saved visibility: {} bytes are too few to be one", bytes.size());
   base::ByteReader reader(bytes);
-  if (reader.u32() != kMagic) return base::malformed("saved visibility: it does not begin with TVIS");
-  if (const std::uint32_t version = reader.u32(); version != kVersion)
+  if (reader.u32() != kStateFileMagic)
+    return base::malformed("saved visibility: it does not begin with TVIS");
+  if (const std::uint32_t version = reader.u32(); version != kStateFileVersion)
     return base::error(base::ErrorCode::kUnsupported, "saved visibility: version {}, known is {}", version,
-                       kVersion);
+                       kStateFileVersion);
   base::ByteReader end(bytes.last(kHashBytes));
   if (end.read<std::uint64_t>() != base::hash_of_bytes(bytes.first(bytes.size() - kHashBytes)))
     return base::malformed("saved visibility: damaged, its hash is not that of its bytes");

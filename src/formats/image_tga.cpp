@@ -10,7 +10,7 @@ namespace {
 
 using base::ErrorCode;
 
-constexpr std::size_t kHeaderBytes = 18;
+constexpr std::size_t kTgaHeaderBytes = 18;
 constexpr std::uint8_t kRunLengthCoded = 8;  // added to an image type
 constexpr std::uint8_t kAlphaBits = 0x0f, kRightToLeft = 0x10, kTopToBottom = 0x20, kInterleaved = 0xc0;
 constexpr std::size_t kMaxPacketPixels = 128;
@@ -62,8 +62,9 @@ std::uint32_t read_grey(base::ByteReader& io_reader, std::uint8_t bits) {
 }
 
 base::Result<Header> read_header(base::ByteReader& io_reader) {
-  if (io_reader.remaining() < kHeaderBytes)
-    return base::malformed("a TGA's header has {} bytes, this file {}", kHeaderBytes, io_reader.remaining());
+  if (io_reader.remaining() < kTgaHeaderBytes)
+    return base::malformed("a TGA's header has {} bytes, this file {}", kTgaHeaderBytes,
+                           io_reader.remaining());
   Header header;
   header.id_bytes = io_reader.u8();
   header.has_map = io_reader.u8() != 0;

@@ -6,7 +6,7 @@ namespace temblor::formats {
 namespace {
 
 constexpr std::string_view kMark = "QLIT";
-constexpr std::int32_t kVersion = 1;
+constexpr std::int32_t kLitVersion = 1;
 
 }  // namespace
 
@@ -16,9 +16,9 @@ base::Result<Lit> read_lit(base::Bytes bytes) {
     return base::malformed("not a coloured light file: it does not begin with QLIT");
   const std::int32_t version = reader.i32();
   if (!reader.ok()) return base::malformed("{} bytes are too few for the header", bytes.size());
-  if (version != kVersion)
+  if (version != kLitVersion)
     return error(base::ErrorCode::kUnsupported, "version {} of coloured light is not supported (known: {})",
-                 version, kVersion);
+                 version, kLitVersion);
   const std::size_t size = reader.remaining();
   if (size % 3 != 0)
     return base::malformed("{} bytes after the header are not a whole number of red, green, blue samples",
@@ -30,7 +30,7 @@ base::Result<Lit> read_lit(base::Bytes bytes) {
 base::ByteVector write_lit(const Lit& lit) {
   base::ByteWriter writer;
   writer.bytes(base::as_bytes(kMark));
-  writer.i32(kVersion);
+  writer.i32(kLitVersion);
   writer.bytes(std::as_bytes(std::span(lit.samples)));
   return std::move(writer).take();
 }

@@ -7,19 +7,19 @@
 namespace temblor::formats {
 namespace {
 
-constexpr std::string_view kMagic = "LNOF";
-constexpr std::uint32_t kVersion = 1;
-constexpr std::size_t kHeaderBytes = 24, kLineBytes = 4;
+constexpr std::string_view kLnoMagic = "LNOF";
+constexpr std::uint32_t kLnoVersion = 1;
+constexpr std::size_t kLnoHeaderBytes = 24, kLineBytes = 4;
 
 }  // namespace
 
 base::Result<std::vector<std::uint32_t>> read_lno(base::Bytes bytes, const Progs& progs) {
   base::ByteReader reader(bytes);
-  if (bytes.size() < kHeaderBytes || base::as_text(reader.take(kMagic.size())) != kMagic)
-    return base::malformed("no line numbers: it does not begin with \"{}\" and a header", kMagic);
-  if (const std::uint32_t version = reader.u32(); version != kVersion)
+  if (bytes.size() < kLnoHeaderBytes || base::as_text(reader.take(kLnoMagic.size())) != kLnoMagic)
+    return base::malformed("no line numbers: it does not begin with \"{}\" and a header", kLnoMagic);
+  if (const std::uint32_t version = reader.u32(); version != kLnoVersion)
     return base::error(base::ErrorCode::kUnsupported, "version {} of line numbers: only {} is known", version,
-                       kVersion);
+                       kLnoVersion);
   for (const std::size_t count :
        {progs.globals.size(), progs.global_words.size(), progs.fields.size(), progs.statements.size()})
     if (const std::uint32_t here = reader.u32(); here != count)

@@ -13,10 +13,10 @@ namespace temblor::formats {
 namespace {
 
 constexpr FileKind kFile{"model", "IDPO", 6};
-constexpr std::size_t kHeaderBytes = 84;
-constexpr std::size_t kTexelBytes = 12, kTriangleBytes = 16, kVertexBytes = 4, kNameBytes = 16;
+constexpr std::size_t kMdlHeaderBytes = 84;
+constexpr std::size_t kTexelBytes = 12, kTriangleBytes = 16, kVertexBytes = 4, kFrameNameBytes = 16;
 constexpr std::int32_t kSeam = 32;
-constexpr std::size_t kMaxNameChars = kNameBytes - 1;
+constexpr std::size_t kMaxFrameNameChars = kFrameNameBytes - 1;
 
 // What the header promises.
 struct Counts {
@@ -70,7 +70,7 @@ base::Status check_count(const char* what, std::size_t offset, std::uint32_t cou
 }
 
 base::Result<Counts> read_header(base::ByteReader& io_reader, Mdl& out_mdl) {
-  TRY_STATUS(read_file_kind(io_reader, kFile, kHeaderBytes));
+  TRY_STATUS(read_file_kind(io_reader, kFile, kMdlHeaderBytes));
   const std::size_t scale_offset = io_reader.offset();
   TRY(out_mdl.scale, read_finite_vec3(io_reader, "scale"));
   TRY(out_mdl.origin, read_finite_vec3(io_reader, "origin"));
@@ -149,11 +149,11 @@ base::Status read_triangles(base::ByteReader& io_reader, const Counts& counts, M
 }
 
 base::Result<MdlPose> read_pose(base::ByteReader& io_reader, std::uint32_t vertices, std::string_view part) {
-  TRY_STATUS(need_bytes(io_reader, (2 + std::uint64_t{vertices}) * kVertexBytes + kNameBytes, part));
+  TRY_STATUS(need_bytes(io_reader, (2 + std::uint64_t{vertices}) * kVertexBytes + kFrameNameBytes, part));
   MdlPose pose;
   pose.mins = read_vertex(io_reader);
   pose.maxs = read_vertex(io_reader);
-  pose.name = io_reader.fixed_text(kNameBytes).substr(0, kMaxNameChars);
+  pose.name = io_reader.fixed_text(kFrameNameBytes).substr(0, kMaxFrameNameChars);
   pose.vertices.resize(vertices);
   for (std::size_t i = 0; i < vertices; ++i) {
     const std::size_t offset = io_reader.offset();
@@ -210,7 +210,7 @@ void check_frame(const MdlFrame& frame, const Mdl& mdl) {
   CHECK(frame.end_times_s.empty() ? frame.poses.size() == 1 : frame.end_times_s.size() == frame.poses.size());
   for (const MdlPose& pose : frame.poses) {
     CHECK(pose.vertices.size() == mdl.texels.size(), "{}", pose.vertices.size());
-    CHECK(pose.name.size() <= kMaxNameChars, "{}", pose.name);
+    CHECK(pose.name.size() <= kMaxFrameNameChars, "{}", pose.name);
     for (const MdlVertex& vertex : pose.vertices) CHECK(vertex.normal < kMdlNormals, "{}", vertex.normal);
   }
 }
@@ -269,7 +269,7 @@ void write_frame(base::ByteWriter& io_writer, const MdlFrame& frame) {
   for (const MdlPose& pose : frame.poses) {
     write_vertex(io_writer, pose.mins);
     write_vertex(io_writer, pose.maxs);
-    io_writer.fixed_text(pose.name, kNameBytes);
+    io_writer.fixed_text(pose.name, kFrameNameBytes);
     for (const MdlVertex& vertex : pose.vertices) write_vertex(io_writer, vertex);
   }
 }

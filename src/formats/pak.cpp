@@ -9,19 +9,19 @@
 namespace temblor::formats {
 namespace {
 
-constexpr std::string_view kMagic = "PACK";
-constexpr std::size_t kNameBytes = kPakNameChars + 1;
+constexpr std::string_view kPakMagic = "PACK";
+constexpr std::size_t kPakNameBytes = kPakNameChars + 1;
 
 }  // namespace
 
 base::Result<PakHeader> read_pak_header(base::Bytes header, std::uint64_t archive_bytes) {
   base::ByteReader reader(header);
-  const std::string_view magic = base::as_text(reader.take(kMagic.size()));
+  const std::string_view magic = base::as_text(reader.take(kPakMagic.size()));
   const std::int32_t offset = reader.i32();
   const std::int32_t bytes = reader.i32();
   if (!reader.ok())
     return base::malformed("a PAK's header has {} bytes, this has {}", kPakHeaderBytes, header.size());
-  if (magic != kMagic) return base::malformed("not a PAK: it does not start with \"PACK\"");
+  if (magic != kPakMagic) return base::malformed("not a PAK: it does not start with \"PACK\"");
   if (offset < 0 || bytes < 0 || std::uint64_t(offset) + std::uint64_t(bytes) > archive_bytes)
     return base::malformed("PAK directory: offset {} and {} bytes lie outside the file ({} bytes)", offset,
                            bytes, archive_bytes);
@@ -38,7 +38,7 @@ base::Result<std::vector<PakEntry>> read_pak_directory(base::Bytes directory, st
   std::vector<PakEntry> entries;
   entries.reserve(directory.size() / kPakRecordBytes);
   while (reader.remaining() > 0) {
-    const std::string_view field = base::as_text(reader.take(kNameBytes));
+    const std::string_view field = base::as_text(reader.take(kPakNameBytes));
     const std::int32_t offset = reader.i32();
     const std::int32_t size = reader.i32();
     if (!reader.ok()) return base::malformed("PAK directory: ends within entry {}", entries.size());
@@ -76,13 +76,13 @@ base::Result<base::ByteVector> write_pak(std::span<const ArchiveFile> files) {
     return base::error(base::ErrorCode::kTooLarge, "{} bytes of files do not fit a PAK", directory_offset);
 
   base::ByteWriter writer;
-  writer.bytes(base::as_bytes(kMagic));
+  writer.bytes(base::as_bytes(kPakMagic));
   writer.i32(static_cast<std::int32_t>(directory_offset));
   writer.i32(static_cast<std::int32_t>(files.size() * kPakRecordBytes));
   for (const ArchiveFile& file : files) writer.bytes(file.data);
   std::size_t offset = kPakHeaderBytes;
   for (const ArchiveFile& file : files) {
-    writer.fixed_text(file.name, kNameBytes);
+    writer.fixed_text(file.name, kPakNameBytes);
     writer.i32(static_cast<std::int32_t>(offset));
     writer.i32(static_cast<std::int32_t>(file.data.size()));
     offset += file.data.size();

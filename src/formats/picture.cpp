@@ -8,11 +8,11 @@
 namespace temblor::formats {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 8;
+constexpr std::size_t kPictureHeaderBytes = 8;
 constexpr std::uint32_t kConcharsSide = 128;  // pixels
 constexpr std::uint8_t kTransparent = 255;
 
-bool is_side(std::uint32_t side) {
+bool is_picture_side(std::uint32_t side) {
   return side >= 1 && side <= kMaxPictureSide;
 }
 
@@ -23,18 +23,19 @@ base::Result<Picture> read_picture(base::Bytes bytes) {
   const std::uint32_t width = reader.u32();
   const std::uint32_t height = reader.u32();
   if (!reader.ok())
-    return base::malformed("a picture's header has {} bytes, this has {}", kHeaderBytes, bytes.size());
-  if (!is_side(width) || !is_side(height))
+    return base::malformed("a picture's header has {} bytes, this has {}", kPictureHeaderBytes, bytes.size());
+  if (!is_picture_side(width) || !is_picture_side(height))
     return base::malformed("picture of {} x {} pixels, sides are 1 to {}", width, height, kMaxPictureSide);
   const auto pixels = base::as_u8(reader.take(std::size_t{width} * height));
   if (!reader.ok())
     return base::malformed("picture of {} x {} pixels: only {} bytes follow its header", width, height,
-                           bytes.size() - kHeaderBytes);
+                           bytes.size() - kPictureHeaderBytes);
   return Picture{width, height, {pixels.begin(), pixels.end()}};
 }
 
 base::ByteVector write_picture(const Picture& picture) {
-  CHECK(is_side(picture.width) && is_side(picture.height), "{} x {}", picture.width, picture.height);
+  CHECK(is_picture_side(picture.width) && is_picture_side(picture.height), "{} x {}", picture.width,
+        picture.height);
   CHECK(picture.pixels.size() == std::size_t{picture.width} * picture.height, "{}", picture.pixels.size());
   base::ByteWriter writer;
   writer.u32(picture.width);

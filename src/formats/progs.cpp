@@ -9,9 +9,9 @@
 namespace temblor::formats {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 60;
+constexpr std::size_t kProgsHeaderBytes = 60;
 constexpr std::size_t kStatementBytes = 8, kDefinitionBytes = 8, kFunctionBytes = 36, kWordBytes = 4;
-constexpr std::size_t kMaxNameChars = 1024;
+constexpr std::size_t kMaxProgsNameChars = 1024;
 constexpr std::uint16_t kSavedBit = 0x8000;
 constexpr std::uint16_t kLastType = static_cast<std::uint16_t>(ProgsType::kPointer);
 
@@ -27,8 +27,8 @@ struct Header {
 };
 
 base::Result<Header> read_header(base::Bytes bytes) {
-  if (bytes.size() < kHeaderBytes)
-    return base::malformed("{} bytes: a program's header has {} bytes", bytes.size(), kHeaderBytes);
+  if (bytes.size() < kProgsHeaderBytes)
+    return base::malformed("{} bytes: a program's header has {} bytes", bytes.size(), kProgsHeaderBytes);
   base::ByteReader reader(bytes);
   if (const std::int32_t version = reader.i32(); version != kProgsVersion)
     return base::error(base::ErrorCode::kUnsupported,
@@ -80,11 +80,11 @@ base::Result<std::vector<std::uint32_t>> read_words(base::Bytes bytes, const Sec
 base::Result<std::string_view> name_at(std::string_view strings, std::uint32_t offset) {
   if (offset >= strings.size())
     return base::malformed("its name or file lies at character {} of {}", offset, strings.size());
-  const std::string_view rest = strings.substr(offset, kMaxNameChars + 1);
+  const std::string_view rest = strings.substr(offset, kMaxProgsNameChars + 1);
   const std::size_t end = rest.find('\0');
   if (end == std::string_view::npos)
     return base::error(base::ErrorCode::kTooLarge, "its name or file has more than {} characters",
-                       kMaxNameChars);
+                       kMaxProgsNameChars);
   return rest.substr(0, end);
 }
 
@@ -204,7 +204,7 @@ void write_functions(base::ByteWriter& io_writer, const std::vector<ProgsFunctio
 void write_header(base::ByteWriter& io_writer, const Progs& progs) {
   io_writer.i32(kProgsVersion);
   io_writer.u32(progs.crc);
-  std::size_t offset = kHeaderBytes;
+  std::size_t offset = kProgsHeaderBytes;
   const auto section = [&](std::size_t count, std::size_t entry_bytes) {
     io_writer.u32(static_cast<std::uint32_t>(offset));
     io_writer.u32(static_cast<std::uint32_t>(count));

@@ -10,7 +10,7 @@
 namespace temblor::formats {
 namespace {
 
-constexpr std::string_view kVersion = "5";
+constexpr std::string_view kSavVersion = "5";
 constexpr std::string_view kBlanks = " \t\r\n";
 constexpr float kHighestSkill = 3;
 
@@ -119,9 +119,9 @@ base::Status append_block(const SavPairs& pairs, std::string& io_text) {
 base::Result<Sav> read_sav(std::string_view text) {
   SavReader reader(text.substr(0, text.find('\0')));
   TRY(const std::string_view version, reader.whole_line("the version"));
-  if (version != kVersion)
+  if (version != kSavVersion)
     return base::error(base::ErrorCode::kUnsupported,
-                       "is not a saved game of version {}: it begins with \"{}\"", kVersion,
+                       "is not a saved game of version {}: it begins with \"{}\"", kSavVersion,
                        version.substr(0, 20));
   Sav sav;
   TRY(const std::string_view comment, reader.whole_line("the comment"));
@@ -155,7 +155,7 @@ base::Result<std::string> write_sav(const Sav& sav) {
   TRY_STATUS(check_line("the comment", sav.comment));
   TRY_STATUS(check_line("the level's name", sav.map));
   std::string text =
-      fmt::format("{}\n{:_<{}}\n", kVersion,
+      fmt::format("{}\n{:_<{}}\n", kSavVersion,
                   with_other_blanks(sav.comment, ' ', '_').substr(0, kSavCommentChars), kSavCommentChars);
   for (const float parameter : sav.spawn_parameters) text += fmt::format("{:.9g}\n", parameter);
   text += fmt::format("{}\n{}\n{:.9g}\n", sav.skill, sav.map, sav.time_s);

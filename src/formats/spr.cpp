@@ -13,10 +13,10 @@ namespace temblor::formats {
 namespace {
 
 constexpr FileKind kFile{"sprite", "IDSP", 1};
-constexpr std::size_t kHeaderBytes = 36, kPictureHeaderBytes = 16;
+constexpr std::size_t kSprHeaderBytes = 36, kFrameHeaderBytes = 16;
 constexpr auto kLastOrientation = static_cast<std::uint32_t>(SprOrientation::kParallelOriented);
 
-bool is_side(std::uint32_t side) {
+bool is_sprite_side(std::uint32_t side) {
   return side >= 1 && side <= kMaxSprSide;
 }
 
@@ -27,7 +27,7 @@ bool is_place(const SprPicture& picture) {
 
 // The number of frames; all else goes into out_spr.
 base::Result<std::uint32_t> read_header(base::ByteReader& io_reader, Spr& out_spr) {
-  TRY_STATUS(read_file_kind(io_reader, kFile, kHeaderBytes));
+  TRY_STATUS(read_file_kind(io_reader, kFile, kSprHeaderBytes));
   const std::size_t orientation_offset = io_reader.offset();
   const std::uint32_t orientation = io_reader.u32();
   if (orientation > kLastOrientation)
@@ -50,13 +50,13 @@ base::Result<std::uint32_t> read_header(base::ByteReader& io_reader, Spr& out_sp
 
 base::Result<SprPicture> read_sprite_picture(base::ByteReader& io_reader, std::string_view part) {
   const std::size_t offset = io_reader.offset();
-  TRY_STATUS(need_bytes(io_reader, kPictureHeaderBytes, part));
+  TRY_STATUS(need_bytes(io_reader, kFrameHeaderBytes, part));
   SprPicture picture;
   picture.left = io_reader.i32();
   picture.up = io_reader.i32();
   picture.width = io_reader.u32();
   picture.height = io_reader.u32();
-  if (!is_side(picture.width) || !is_side(picture.height))
+  if (!is_sprite_side(picture.width) || !is_sprite_side(picture.height))
     return base::malformed("{} at offset {:#x}: {} x {} texels, sides are 1 to {}", part, offset,
                            picture.width, picture.height, kMaxSprSide);
   if (!is_place(picture))
@@ -83,7 +83,8 @@ base::Result<SprFrame> read_frame(base::ByteReader& io_reader, std::string_view 
 }
 
 void check_picture(const SprPicture& picture) {
-  CHECK(is_side(picture.width) && is_side(picture.height), "{} x {}", picture.width, picture.height);
+  CHECK(is_sprite_side(picture.width) && is_sprite_side(picture.height), "{} x {}", picture.width,
+        picture.height);
   CHECK(is_place(picture), "{} left, {} up", picture.left, picture.up);
   CHECK(picture.texels.size() == std::size_t{picture.width} * picture.height, "{}", picture.texels.size());
 }

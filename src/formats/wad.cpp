@@ -7,9 +7,9 @@
 namespace temblor::formats {
 namespace {
 
-constexpr std::string_view kMagic = "WAD2";
+constexpr std::string_view kWadMagic = "WAD2";
 constexpr std::string_view kMagic3 = "WAD3";
-constexpr std::size_t kHeaderBytes = 12;
+constexpr std::size_t kWadHeaderBytes = 12;
 constexpr std::size_t kRecordBytes = 32;
 
 base::Result<WadLump> read_record(base::ByteReader& io_reader, base::Bytes wad, std::size_t number) {
@@ -36,12 +36,12 @@ base::Result<WadLump> read_record(base::ByteReader& io_reader, base::Bytes wad, 
 
 base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes) {
   base::ByteReader reader(bytes);
-  const std::string_view magic = base::as_text(reader.take(kMagic.size()));
+  const std::string_view magic = base::as_text(reader.take(kWadMagic.size()));
   const std::int32_t count = reader.i32();
   const std::int32_t table_offset = reader.i32();
   if (!reader.ok())
-    return base::malformed("a WAD's header has {} bytes, this has {}", kHeaderBytes, bytes.size());
-  if (magic != kMagic && magic != kMagic3)
+    return base::malformed("a WAD's header has {} bytes, this has {}", kWadHeaderBytes, bytes.size());
+  if (magic != kWadMagic && magic != kMagic3)
     return base::malformed("not a WAD: it starts neither with \"WAD2\" nor with \"WAD3\"");
   if (count < 0 || table_offset < 0 ||
       std::uint64_t(table_offset) + std::uint64_t(count) * kRecordBytes > bytes.size())
@@ -62,7 +62,7 @@ bool is_wad3(base::Bytes bytes) {
 }
 
 base::Result<base::ByteVector> write_wad(std::span<const WadLump> lumps) {
-  std::uint64_t table_offset = kHeaderBytes;
+  std::uint64_t table_offset = kWadHeaderBytes;
   for (const WadLump& lump : lumps) {
     if (lump.name.size() > kWadNameChars)
       return base::error(base::ErrorCode::kTooLarge, "\"{}\": a WAD's names have at most {} characters",
@@ -73,11 +73,11 @@ base::Result<base::ByteVector> write_wad(std::span<const WadLump> lumps) {
     return base::error(base::ErrorCode::kTooLarge, "{} bytes of lumps do not fit a WAD", table_offset);
 
   base::ByteWriter writer;
-  writer.bytes(base::as_bytes(kMagic));
+  writer.bytes(base::as_bytes(kWadMagic));
   writer.i32(static_cast<std::int32_t>(lumps.size()));
   writer.i32(static_cast<std::int32_t>(table_offset));
   for (const WadLump& lump : lumps) writer.bytes(lump.data);
-  std::size_t offset = kHeaderBytes;
+  std::size_t offset = kWadHeaderBytes;
   for (const WadLump& lump : lumps) {
     const auto size = static_cast<std::int32_t>(lump.data.size());
     writer.i32(static_cast<std::int32_t>(offset));

@@ -8,9 +8,9 @@
 namespace temblor::formats {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 40;
+constexpr std::size_t kMiptexHeaderBytes = 40;
 
-bool is_side(std::uint32_t side) {
+bool is_miptex_side(std::uint32_t side) {
   return side >= 1 && side <= kMaxTextureSide;
 }
 
@@ -29,8 +29,8 @@ base::Result<WadTexture> read_wad_texture(base::Bytes lump) {
   std::array<std::uint32_t, 4> offsets{};
   for (std::uint32_t& offset : offsets) offset = reader.u32();
   if (!reader.ok())
-    return base::malformed("a texture's header has {} bytes, this has {}", kHeaderBytes, lump.size());
-  if (!is_side(texture.width) || !is_side(texture.height))
+    return base::malformed("a texture's header has {} bytes, this has {}", kMiptexHeaderBytes, lump.size());
+  if (!is_miptex_side(texture.width) || !is_miptex_side(texture.height))
     return base::malformed("texture \"{}\": {} x {} texels, sides are 1 to {}", base::printable(texture.name),
                            texture.width, texture.height, kMaxTextureSide);
   for (std::size_t level = 0; level < offsets.size(); ++level) {
@@ -45,7 +45,7 @@ base::Result<WadTexture> read_wad_texture(base::Bytes lump) {
 }
 
 base::Result<base::ByteVector> write_wad_texture(const WadTexture& texture) {
-  if (!is_side(texture.width) || !is_side(texture.height))
+  if (!is_miptex_side(texture.width) || !is_miptex_side(texture.height))
     return base::error(base::ErrorCode::kUsage, "texture \"{}\": {} x {} texels, sides are 1 to {}",
                        texture.name, texture.width, texture.height, kMaxTextureSide);
   if (texture.name.size() > kWadNameChars)
@@ -55,7 +55,7 @@ base::Result<base::ByteVector> write_wad_texture(const WadTexture& texture) {
   writer.fixed_text(texture.name, kWadNameChars);
   writer.u32(texture.width);
   writer.u32(texture.height);
-  std::size_t offset = kHeaderBytes;
+  std::size_t offset = kMiptexHeaderBytes;
   for (std::size_t level = 0; level < texture.mips.size(); ++level) {
     CHECK(texture.mips[level].size() == mip_texels(texture.width, texture.height, level), "mip {}", level);
     writer.u32(static_cast<std::uint32_t>(offset));

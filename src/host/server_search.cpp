@@ -8,7 +8,6 @@
 namespace temblor::host {
 namespace {
 
-constexpr std::uint16_t kStockPort = 26000;
 constexpr double kListen_s = 5;
 
 }  // namespace

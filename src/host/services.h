@@ -17,6 +17,8 @@
 
 namespace temblor::host {
 
+inline constexpr std::uint16_t kStockPort = 26000;  // UDP; where servers listen unless told
+
 struct Services {
   platform::Window& window;
   // A UDP socket; 0: any port that is free. Null: there is no network.

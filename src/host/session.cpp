@@ -8,7 +8,6 @@ namespace temblor::host {
 namespace {
 
 constexpr double kMovesEvery_s = 1.0 / 72;
-constexpr std::uint16_t kStockPort = 26000;
 constexpr std::uint16_t kServerLoopbackPort = 1;
 
 net::ServerEndpointSettings wire_settings(const Services& services) {

@@ -31,10 +31,11 @@ constexpr std::uint8_t kNothing = 0, kFirstPicture = 1, kInk = 254;
 // Bits of ClientData::items, as published: docs of QuakeC's `items` field.
 constexpr std::uint32_t kAllItems = 0xffffffffu;
 
-struct Size {
+struct HudSize {
   int width, height, scale;
 };
-constexpr Size kSizes[] = {{320, 200, 1}, {640, 480, 1}, {1920, 1080, 3}, {3840, 2160, 7}, {1000, 1600, 2}};
+constexpr HudSize kHudSizes[] = {
+    {320, 200, 1}, {640, 480, 1}, {1920, 1080, 3}, {3840, 2160, 7}, {1000, 1600, 2}};
 
 // Stock pictures, each of an index of its own; characters are solid squares of kInk.
 class Art {
@@ -145,7 +146,7 @@ struct Drawn {
   }
 };
 
-Drawn draw(const Hud& hud, const Game& game, double time_s, const Size& size = kSizes[0],
+Drawn draw(const Hud& hud, const Game& game, double time_s, const HudSize& size = kHudSizes[0],
            const HudSettings& settings = {}) {
   Drawn drawn{size.width, size.height, settings.scale > 0 ? settings.scale : size.scale, {}, {}};
   hud.draw(game, time_s, size.width, size.height, settings, drawn.list);
@@ -158,7 +159,7 @@ Drawn draw(const Hud& hud, const Game& game, double time_s, const Size& size = k
 }
 
 // Long after whatever flashes.
-Drawn draw_calm(const Game& game, const Size& size = kSizes[0], const HudSettings& settings = {}) {
+Drawn draw_calm(const Game& game, const HudSize& size = kHudSizes[0], const HudSettings& settings = {}) {
   return draw(Hud(art().pictures()), game, 1000, size, settings);
 }
 
@@ -173,7 +174,7 @@ void expect_inside(const Drawn& drawn) {
 }
 
 TEST(Hud, LiesInsideFramesOfEverySize) {
-  for (const Size& size : kSizes) {
+  for (const HudSize& size : kHudSizes) {
     SCOPED_TRACE(testing::Message() << size.width << "x" << size.height);
     Game game = rich_game();
     game.level_name = std::string(60, 'x');
@@ -207,7 +208,7 @@ TEST(Hud, StandsInTheMiddleOfTheBottom) {
                                {"sb_key1", 192, -40},   {"sb_key2", 208, -40},      {"sb_invis", 224, -40},
                                {"sb_invuln", 240, -40}, {"sb_suit", 256, -40},      {"sb_quad", 272, -40},
                                {"sb_sigil1", 288, -40}, {"sb_sigil4", 312, -40}};
-  for (const Size& size : kSizes) {
+  for (const HudSize& size : kHudSizes) {
     const Drawn drawn = draw_calm(rich_game(), size);
     for (const Place& place : kPlaces) {
       SCOPED_TRACE(testing::Message() << place.picture << " at " << size.width << "x" << size.height);
@@ -334,7 +335,7 @@ TEST(Hud, ShowsNumbersAndWarnsOfLowOnes) {
     set(game, Stat::kArmor, armor);
     set(game, Stat::kHealth, health);
     set(game, Stat::kAmmo, ammo);
-    return draw_calm(game, kSizes[0], {.status_bar = StatusBar::kSmall});
+    return draw_calm(game, kHudSizes[0], {.status_bar = StatusBar::kSmall});
   };
   EXPECT_EQ(digits_at(show(150, 77, 888), kArmorX), "150");
   EXPECT_EQ(digits_at(show(111, 26, 333), kHealthX), " 26");
@@ -364,10 +365,10 @@ TEST(Hud, ComesInTwoSizesOrNotAtAll) {
   const Game game = rich_game();
   const Drawn full = draw_calm(game);
   EXPECT_TRUE(full.shows("sbar") && full.shows("ibar"));
-  const Drawn small = draw_calm(game, kSizes[0], {.status_bar = StatusBar::kSmall});
+  const Drawn small = draw_calm(game, kHudSizes[0], {.status_bar = StatusBar::kSmall});
   EXPECT_TRUE(small.shows("sbar"));
   EXPECT_FALSE(small.shows("ibar") || small.shows("inv_shotgun"));
-  EXPECT_THAT(draw_calm(game, kSizes[0], {.status_bar = StatusBar::kNone}).list.commands, IsEmpty());
+  EXPECT_THAT(draw_calm(game, kHudSizes[0], {.status_bar = StatusBar::kNone}).list.commands, IsEmpty());
 }
 
 TEST(Hud, ScalesByWholeNumbersThatLeaveRoomForTheScreen) {
@@ -387,7 +388,7 @@ TEST(Hud, ScalesByWholeNumbersThatLeaveRoomForTheScreen) {
 }
 
 TEST(Hud, LetsTheViewShowThroughWhatItStandsOn) {
-  const Drawn drawn = draw_calm(rich_game(), kSizes[0], {.opacity = 0.5f});
+  const Drawn drawn = draw_calm(rich_game(), kHudSizes[0], {.opacity = 0.5f});
   for (const render::DrawCommand& command : drawn.list.commands) {
     const bool is_ground =
         command.picture == art().pictures().find("sbar") || command.picture == art().pictures().find("ibar");
@@ -424,13 +425,13 @@ TEST(Hud, TellsTheDeadHowToGoOn) {
   Game game = rich_game();
   const HudSettings settings{.death_hint = "Fire: this\nJump: that"};
   hud.advance(game, {}, 10);
-  EXPECT_THAT(draw(hud, game, 20, kSizes[0], settings).lines(), Not(Contains("Fire: this")));
+  EXPECT_THAT(draw(hud, game, 20, kHudSizes[0], settings).lines(), Not(Contains("Fire: this")));
   set(game, Stat::kHealth, 0);
   hud.advance(game, {}, 20);
   hud.advance(game, {}, 20.5);
-  EXPECT_THAT(draw(hud, game, 20.9, kSizes[0], settings).lines(), Not(Contains("Fire: this")));
+  EXPECT_THAT(draw(hud, game, 20.9, kHudSizes[0], settings).lines(), Not(Contains("Fire: this")));
   hud.advance(game, {}, 21);
-  for (const Size& size : kSizes) {
+  for (const HudSize& size : kHudSizes) {
     const Drawn drawn = draw(hud, game, 21.1, size, settings);
     EXPECT_THAT(drawn.lines(), testing::IsSupersetOf({"Fire: this", "Jump: that"}));
     expect_inside(drawn);
@@ -439,7 +440,8 @@ TEST(Hud, TellsTheDeadHowToGoOn) {
   hud.advance(game, {}, 22);
   set(game, Stat::kHealth, -1);
   hud.advance(game, {}, 23);
-  EXPECT_THAT(draw(hud, game, 23.5, kSizes[0], settings).lines(), Not(Contains("Fire: this"))) << "dead anew";
+  EXPECT_THAT(draw(hud, game, 23.5, kHudSizes[0], settings).lines(), Not(Contains("Fire: this")))
+      << "dead anew";
 }
 
 Game deathmatch() {
@@ -470,7 +472,7 @@ TEST(Hud, ShowsWhatCountsInTheGameThatIsPlayed) {
   Game game = deathmatch();
   set(game, Stat::kTotalMonsters, 9);
   const HudSettings settings{.shows_scores = true};
-  std::vector<std::string> lines = draw_calm(game, kSizes[1], settings).lines();
+  std::vector<std::string> lines = draw_calm(game, kHudSizes[1], settings).lines();
   EXPECT_THAT(lines, Contains(testing::StartsWith("Frags: 3 Time"))) << "Cid's";
   EXPECT_THAT(lines, Contains("Place: 2 / 5 Level")) << "only Bob has more";
   EXPECT_THAT(lines, Not(Contains(testing::HasSubstr("Monsters"))));
@@ -478,7 +480,7 @@ TEST(Hud, ShowsWhatCountsInTheGameThatIsPlayed) {
   EXPECT_THAT(lines, Contains("12 Bob"));
   // Together both count.
   game.deathmatch = false;
-  lines = draw_calm(game, kSizes[1], settings).lines();
+  lines = draw_calm(game, kHudSizes[1], settings).lines();
   EXPECT_THAT(lines, Contains(testing::StartsWith("Monsters: 0 / 9 Time")));
   EXPECT_THAT(lines, Contains("12 Bob"));
 }
@@ -487,7 +489,7 @@ TEST(Hud, RanksAllPlayersForTheDead) {
   Game game = deathmatch();
   EXPECT_FALSE(draw_calm(game).shows("gfx/ranking.lmp"));
   set(game, Stat::kHealth, 0);
-  const Drawn drawn = draw_calm(game, kSizes[2]);
+  const Drawn drawn = draw_calm(game, kHudSizes[2]);
   EXPECT_TRUE(drawn.shows("gfx/ranking.lmp"));
   std::vector<std::string> lines = drawn.lines();
   lines.resize(5);
@@ -504,7 +506,7 @@ TEST(Hud, CentersTextForTwoSeconds) {
   const Hud hud(art().pictures());
   EXPECT_THAT(draw(hud, game, 11.9).lines(), Contains("two three"));
   EXPECT_THAT(draw(hud, game, 12.1).lines(), Not(Contains("two three")));
-  for (const Size& size : kSizes) {
+  for (const HudSize& size : kHudSizes) {
     const Drawn drawn = draw(hud, game, 11, size);
     int left = size.width, right = 0, top = size.height;
     for (const render::DrawCommand& command : drawn.list.commands)
@@ -638,7 +640,7 @@ TEST(Hud, WithstandsAnyGame) {
       game.players.push_back({text(40), static_cast<std::int16_t>(random.bits()),
                               static_cast<std::uint8_t>(random.bits()),
                               static_cast<std::uint8_t>(random.bits())});
-    const Size size{1 + static_cast<int>(random.below(1500)), 1 + static_cast<int>(random.below(1000)), 1};
+    const HudSize size{1 + static_cast<int>(random.below(1500)), 1 + static_cast<int>(random.below(1000)), 1};
     Hud hud(art().pictures());
     hud.advance(game, {}, random.uniform(-1e9, 1e9));
     const Drawn drawn = draw(

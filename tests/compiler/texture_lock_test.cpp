@@ -13,7 +13,7 @@ using formats::MapAlignment;
 using math::Vec2d;
 using math::Vec3d;
 
-constexpr Vec2d kSize(64, 128);
+constexpr Vec2d kTextureSize(64, 128);
 
 Vec3d random_vector(test::Random& random, double size) {
   return Vec3d(random.in_cube(size));
@@ -65,8 +65,8 @@ TEST(TextureLock, EveryPointKeepsItsTexel) {
     const formats::MapSide before = random_side(random);
     const Placement placement = random_placement(random);
     const formats::MapSide after = placed(before, placement);
-    const TextureAxes axes_before = text_axes(before.texturing, normal_of(before), kSize);
-    const TextureAxes axes_after = text_axes(after.texturing, normal_of(after), kSize);
+    const TextureAxes axes_before = text_axes(before.texturing, normal_of(before), kTextureSize);
+    const TextureAxes axes_after = text_axes(after.texturing, normal_of(after), kTextureSize);
     const auto& p = before.points_world;
     for (int i = 0; i < 4; ++i) {
       const Vec3d point =

@@ -10,7 +10,7 @@
 namespace temblor::formats {
 namespace {
 
-constexpr std::array kVersions{BspVersion::k29, BspVersion::k2Psb, BspVersion::kBsp2};
+constexpr std::array kBadVersions{BspVersion::k29, BspVersion::k2Psb, BspVersion::kBsp2};
 
 template <typename T>
 void poke(base::ByteVector& io_file, std::size_t offset, T value) {
@@ -27,13 +27,13 @@ std::uint32_t offset_of(base::Bytes file, BspLump lump) {
   return reader.u32();
 }
 
-std::string error_of(base::Bytes file) {
+std::string error_of_bsp(base::Bytes file) {
   const auto bsp = read_bsp(file);
   return bsp.ok() ? "no error" : bsp.error().what;
 }
 
 TEST(BspBadBytes, EveryTruncationIsAnError) {
-  for (const BspVersion version : kVersions) {
+  for (const BspVersion version : kBadVersions) {
     const auto file = test::make_cube_room_file(version);
     for (std::size_t size = 0; size < file.size(); ++size) {
       // A block of exactly this size, so that the address sanitizer sees a read past the end.
@@ -60,7 +60,7 @@ TEST(BspBadBytes, FlippedBitsGiveAnErrorOrASoundLevel) {
   constexpr int kRuns = test::effort(20000, 3000);
   int sound = 0;
   for (int run = 0; run < kRuns; ++run) {
-    const BspVersion version = kVersions[static_cast<std::size_t>(run) % 3];
+    const BspVersion version = kBadVersions[static_cast<std::size_t>(run) % 3];
     auto file = write_bsp(room, version).value();
     test::Random random(static_cast<std::uint64_t>(run));
     const std::size_t flips = 1 + random.below(8);
@@ -85,7 +85,7 @@ TEST(BspBadBytes, UnknownVersions) {
   const auto message = [&](std::int32_t version) {
     poke(file, 0, version);
     EXPECT_EQ(read_bsp(file).error().code, base::ErrorCode::kUnsupported);
-    return error_of(file);
+    return error_of_bsp(file);
   };
   EXPECT_EQ(message(28), "not a Quake level: unknown version 28 (known: 29, 2PSB, BSP2)");
   EXPECT_EQ(message(30), "version 30: Half-Life's levels are not supported");
@@ -98,10 +98,10 @@ TEST(BspBadBytes, LumpsOutsideTheFile) {
     for (const std::uint32_t number : {0x7fffffffu, 0x80000000u, 0xffffffffu}) {
       auto file = test::make_cube_room_file(BspVersion::k29);
       poke(file, entry_of(lump), number);
-      EXPECT_NE(error_of(file).find("past the end of the file"), std::string::npos) << error_of(file);
+      EXPECT_NE(error_of_bsp(file).find("past the end of the file"), std::string::npos) << error_of_bsp(file);
       file = test::make_cube_room_file(BspVersion::k29);
       poke(file, entry_of(lump) + 4, number);
-      EXPECT_NE(error_of(file).find("past the end of the file"), std::string::npos) << error_of(file);
+      EXPECT_NE(error_of_bsp(file).find("past the end of the file"), std::string::npos) << error_of_bsp(file);
     }
   }
 }
@@ -109,7 +109,7 @@ TEST(BspBadBytes, LumpsOutsideTheFile) {
 TEST(BspBadBytes, LumpsThatAreNoWholeNumberOfRecords) {
   auto file = test::make_cube_room_file(BspVersion::k29);
   poke(file, entry_of(BspLump::kFaces) + 4, std::uint32_t{119});
-  EXPECT_EQ(error_of(file),
+  EXPECT_EQ(error_of_bsp(file),
             fmt::format("lump faces: 119 bytes at offset {:#x} are not a whole number of 20-byte records",
                         offset_of(file, BspLump::kFaces)));
 }
@@ -121,16 +121,16 @@ TEST(BspBadBytes, LumpsMadeOfTheSameBytes) {
     poke(file, entry_of(lump), std::uint32_t{0});
     poke(file, entry_of(lump) + 4, size);
   }
-  EXPECT_EQ(error_of(file).substr(0, 13), "lumps overlap");
+  EXPECT_EQ(error_of_bsp(file).substr(0, 13), "lumps overlap");
 }
 
 TEST(BspBadBytes, TextureCounts) {
   for (const std::uint32_t count : {0x80000000u, 0xffffffffu, 0x1000u}) {
     auto file = test::make_cube_room_file(BspVersion::k29);
     poke(file, offset_of(file, BspLump::kTextures), count);
-    EXPECT_NE(error_of(file).find(fmt::format("lump textures: {} textures do not fit", count)),
+    EXPECT_NE(error_of_bsp(file).find(fmt::format("lump textures: {} textures do not fit", count)),
               std::string::npos)
-        << error_of(file);
+        << error_of_bsp(file);
   }
 }
 
@@ -141,7 +141,7 @@ TEST(BspBadBytes, TextureSizesOffsetsAndMips) {
   const auto error_with = [&](std::size_t offset_in_lump, std::uint32_t value) {
     auto file = clean;
     poke(file, lump + offset_in_lump, value);
-    std::string error = error_of(file);
+    std::string error = error_of_bsp(file);
     const std::string begin = "lump textures: texture 0 at offset ";
     EXPECT_EQ(error.substr(0, begin.size()), begin) << error;
     return error.substr(error.find(": ", begin.size()) + 2);
@@ -175,7 +175,7 @@ TEST(BspBadBytes, ManyTexturesOfTheSameBytes) {
   poke(file, entry_of(BspLump::kTextures), static_cast<std::uint32_t>(file.size()));
   poke(file, entry_of(BspLump::kTextures) + 4, static_cast<std::uint32_t>(lump.size()));
   file.insert(file.end(), lump.view().begin(), lump.view().end());
-  EXPECT_NE(error_of(file).find("textures overlap"), std::string::npos) << error_of(file);
+  EXPECT_NE(error_of_bsp(file).find("textures overlap"), std::string::npos) << error_of_bsp(file);
 }
 
 TEST(BspBadBytes, Bspx) {
@@ -191,7 +191,7 @@ TEST(BspBadBytes, Bspx) {
       file.u32(offset);
       file.u32(size);
     }
-    return error_of(file.view());
+    return error_of_bsp(file.view());
   };
   const auto all = static_cast<std::uint32_t>(room.size());
   EXPECT_EQ(error_with(2, 0, 10), "no error");

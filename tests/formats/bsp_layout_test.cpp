@@ -10,7 +10,7 @@
 namespace temblor::formats {
 namespace {
 
-constexpr std::array kVersions{BspVersion::k29, BspVersion::k2Psb, BspVersion::kBsp2};
+constexpr std::array kAllVersions{BspVersion::k29, BspVersion::k2Psb, BspVersion::kBsp2};
 
 // A lump of a file, found as the header's description says, without our reader.
 base::Bytes lump_of(base::Bytes file, BspLump lump) {
@@ -43,11 +43,11 @@ TEST(BspLayout, RecordsHaveThePublishedSizes) {
       {BspLump::kLighting, room.lighting.size(), {1, 1, 1}},
       {BspLump::kVisibility, room.visibility.size(), {1, 1, 1}},
   };
-  for (std::size_t version = 0; version < kVersions.size(); ++version) {
-    const auto file = test::make_cube_room_file(kVersions[version]);
+  for (std::size_t version = 0; version < kAllVersions.size(); ++version) {
+    const auto file = test::make_cube_room_file(kAllVersions[version]);
     for (const LumpSize& size : sizes)
       EXPECT_EQ(lump_of(file, size.lump).size(), size.records * size.record_bytes[version])
-          << name_of(size.lump) << " in " << name_of(kVersions[version]);
+          << name_of(size.lump) << " in " << name_of(kAllVersions[version]);
   }
 }
 

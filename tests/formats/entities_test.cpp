@@ -21,7 +21,7 @@ std::vector<Entity> read(std::string_view text) {
   return entities.ok() ? std::move(entities).value() : std::vector<Entity>{};
 }
 
-std::string error_of(std::string_view text) {
+std::string error_of_entities(std::string_view text) {
   const auto entities = read_entities(text);
   return entities.ok() ? "no error" : entities.error().what;
 }
@@ -72,17 +72,18 @@ TEST(Entities, LongKeysAndValuesAreKept) {
 
 TEST(Entities, TheTextEndsAtItsFirstZero) {
   EXPECT_EQ(read("{\"a\" \"b\"}\0{ not read"s).size(), 1u);
-  EXPECT_EQ(error_of("{\"a\" \"b\0\"}"s), "line 1: the quote that opens here is never closed");
+  EXPECT_EQ(error_of_entities("{\"a\" \"b\0\"}"s), "line 1: the quote that opens here is never closed");
 }
 
 TEST(Entities, ErrorsNameTheLine) {
-  EXPECT_EQ(error_of("{\n\"a\" \"b\"\n"), "line 1: the entity that opens here is never closed");
-  EXPECT_EQ(error_of("{}\n{\n\"a\" \"b\"\n{"), "line 4: an entity opens inside the one from line 2");
-  EXPECT_EQ(error_of("{}\n\n}"), "line 3: expected an entity's opening brace");
-  EXPECT_EQ(error_of("\n\"a\" \"b\""), "line 2: expected an entity's opening brace");
-  EXPECT_EQ(error_of("{\n\"a\" \"b\"\n\"c\"\n}"), "line 3: the key \"c\" has no value");
-  EXPECT_EQ(error_of("{\n\"c\""), "line 2: the key \"c\" has no value");
-  EXPECT_EQ(error_of("{\n\"two\nlines\" \"b\"\n\"open"), "line 4: the quote that opens here is never closed");
+  EXPECT_EQ(error_of_entities("{\n\"a\" \"b\"\n"), "line 1: the entity that opens here is never closed");
+  EXPECT_EQ(error_of_entities("{}\n{\n\"a\" \"b\"\n{"), "line 4: an entity opens inside the one from line 2");
+  EXPECT_EQ(error_of_entities("{}\n\n}"), "line 3: expected an entity's opening brace");
+  EXPECT_EQ(error_of_entities("\n\"a\" \"b\""), "line 2: expected an entity's opening brace");
+  EXPECT_EQ(error_of_entities("{\n\"a\" \"b\"\n\"c\"\n}"), "line 3: the key \"c\" has no value");
+  EXPECT_EQ(error_of_entities("{\n\"c\""), "line 2: the key \"c\" has no value");
+  EXPECT_EQ(error_of_entities("{\n\"two\nlines\" \"b\"\n\"open"),
+            "line 4: the quote that opens here is never closed");
 }
 
 TEST(Entities, FindTakesTheFirstOfEqualKeys) {

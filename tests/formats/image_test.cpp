@@ -57,7 +57,7 @@ std::vector<std::uint32_t> pixels_of(const TgaFile& file) {
   return image->pixels;
 }
 
-std::string error_of(const TgaFile& file) {
+std::string error_of_tga(const TgaFile& file) {
   const auto image = read_tga(bytes_of(file));
   return image.ok() ? "no error" : image.error().what;
 }
@@ -175,33 +175,34 @@ TEST(Tga, EveryTruncationIsAnError) {
 }
 
 TEST(Tga, FaultsAndTheirMessages) {
-  EXPECT_THAT(error_of({.type = 4}), HasSubstr("type 4"));
-  EXPECT_THAT(error_of({.type = 0}), HasSubstr("type 0"));
-  EXPECT_THAT(error_of({.pixel_bits = 12}), HasSubstr("12 bits a pixel"));
-  EXPECT_THAT(error_of({.descriptor = 0x40}), HasSubstr("interleaved"));
-  EXPECT_THAT(error_of({.width = 0}), HasSubstr("0 x 2"));
-  EXPECT_THAT(error_of({.height = kMaxImageSide + 1}), HasSubstr("2 x 8193"));
-  EXPECT_THAT(error_of({.width = kMaxImageSide, .height = kMaxImageSide}), HasSubstr("0 bytes left"));
+  EXPECT_THAT(error_of_tga({.type = 4}), HasSubstr("type 4"));
+  EXPECT_THAT(error_of_tga({.type = 0}), HasSubstr("type 0"));
+  EXPECT_THAT(error_of_tga({.pixel_bits = 12}), HasSubstr("12 bits a pixel"));
+  EXPECT_THAT(error_of_tga({.descriptor = 0x40}), HasSubstr("interleaved"));
+  EXPECT_THAT(error_of_tga({.width = 0}), HasSubstr("0 x 2"));
+  EXPECT_THAT(error_of_tga({.height = kMaxImageSide + 1}), HasSubstr("2 x 8193"));
+  EXPECT_THAT(error_of_tga({.width = kMaxImageSide, .height = kMaxImageSide}), HasSubstr("0 bytes left"));
   // The most that a run can stand for needs a byte or two for 128 pixels.
   EXPECT_THAT(
-      error_of({.type = 10, .width = 256, .height = 2, .pixel_bytes = {0xff, 1, 2, 3, 0xff, 1, 2, 3}}),
+      error_of_tga({.type = 10, .width = 256, .height = 2, .pixel_bytes = {0xff, 1, 2, 3, 0xff, 1, 2, 3}}),
       HasSubstr("8 bytes left"));
-  EXPECT_THAT(error_of({.type = 10, .pixel_bytes = {0x83, 1, 2, 3, 0}}), HasSubstr("no error"));
-  EXPECT_THAT(error_of({.type = 10, .pixel_bytes = {0x84, 1, 2, 3}}),
+  EXPECT_THAT(error_of_tga({.type = 10, .pixel_bytes = {0x83, 1, 2, 3, 0}}), HasSubstr("no error"));
+  EXPECT_THAT(error_of_tga({.type = 10, .pixel_bytes = {0x84, 1, 2, 3}}),
               HasSubstr("packet at offset 0x12 has 5 pixels, 4 are missing"));
-  EXPECT_THAT(error_of({.type = 1, .pixel_bits = 8}), HasSubstr("without a colour map"));
-  EXPECT_THAT(error_of({.map_entries = 9, .map_bits = 24}), HasSubstr("colour map at offset 0x12 needs 27"));
-  EXPECT_THAT(error_of({.map_entries = 9, .map_bits = 9}), HasSubstr("9 bits an entry"));
+  EXPECT_THAT(error_of_tga({.type = 1, .pixel_bits = 8}), HasSubstr("without a colour map"));
+  EXPECT_THAT(error_of_tga({.map_entries = 9, .map_bits = 24}),
+              HasSubstr("colour map at offset 0x12 needs 27"));
+  EXPECT_THAT(error_of_tga({.map_entries = 9, .map_bits = 9}), HasSubstr("9 bits an entry"));
   for (const int index : {0, 2})
-    EXPECT_THAT(error_of({.type = 1,
-                          .pixel_bits = 8,
-                          .width = 1,
-                          .height = 1,
-                          .pixel_bytes = {index},
-                          .map_first = 1,
-                          .map_entries = 1,
-                          .map_bits = 24,
-                          .map_bytes = {1, 2, 3}}),
+    EXPECT_THAT(error_of_tga({.type = 1,
+                              .pixel_bits = 8,
+                              .width = 1,
+                              .height = 1,
+                              .pixel_bytes = {index},
+                              .map_first = 1,
+                              .map_entries = 1,
+                              .map_bits = 24,
+                              .map_bytes = {1, 2, 3}}),
                 HasSubstr(fmt::format("pixel at offset 0x15 has colour {}", index)));
 }
 

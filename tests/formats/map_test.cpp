@@ -16,20 +16,20 @@ using namespace std::string_literals;
 
 constexpr std::string_view kPoints = "( 0 0 0 ) ( 0 1 0 ) ( 0 0 1 ) ";
 
-Map read(std::string_view text) {
+Map read_text(std::string_view text) {
   auto map = read_map(text);
   EXPECT_TRUE(map.ok()) << map.error().message();
   return map.ok() ? std::move(map).value() : Map{};
 }
 
-std::string error_of(std::string_view text) {
+std::string error_of_map(std::string_view text) {
   const auto map = read_map(text);
   return map.ok() ? "no error" : map.error().what;
 }
 
 // The only side of a map that holds one, whose texture and alignment are written `rest`.
 MapSide read_side(std::string_view rest) {
-  const Map map = read("{\n{\n" + std::string(kPoints) + std::string(rest) + "\n}\n}");
+  const Map map = read_text("{\n{\n" + std::string(kPoints) + std::string(rest) + "\n}\n}");
   if (map.entities.size() != 1 || map.entities[0].brushes.size() != 1 ||
       map.entities[0].brushes[0].sides.size() != 1) {
     ADD_FAILURE() << rest;
@@ -39,8 +39,8 @@ MapSide read_side(std::string_view rest) {
 }
 
 std::string error_of_side(std::string_view rest) {
-  return error_of("{\n\"classname\" \"func_wall\"\n{\n}\n{\n" + std::string(kPoints) + std::string(rest) +
-                  "\n}\n}");
+  return error_of_map("{\n\"classname\" \"func_wall\"\n{\n}\n{\n" + std::string(kPoints) + std::string(rest) +
+                      "\n}\n}");
 }
 
 Map without_lines(Map map) {
@@ -55,7 +55,7 @@ Map without_lines(Map map) {
 }
 
 TEST(Map, EntitiesBrushesAndSidesKnowTheirLines) {
-  const Map map = read(
+  const Map map = read_text(
       "// Game: Quake\r\n{\r\n\"classname\" \"worldspawn\"\r\n// brush 0\r\n{\r\n"
       "( 1 -2.5 3e1 ) ( 0 1 0 ) ( 0 0 1 ) wall 1 2 3 4 5\r\n"
       "( 0 0 0 ) ( 0 1 0 ) ( 0 0 1 ) wall 0 0 0 1 1 // behind\r\n}\r\n}\r\n{\n\"a\" \"b\"\n}");
@@ -94,8 +94,8 @@ TEST(Map, ValveAlignment) {
 }
 
 TEST(Map, BrushPrimitiveAlignment) {
-  const Map map =
-      read("{ { brushDef { " + std::string(kPoints) + "( ( 0.5 0 0.25 ) ( 0 2 -1 ) ) base/floor 1 2 3 } } }");
+  const Map map = read_text("{ { brushDef { " + std::string(kPoints) +
+                            "( ( 0.5 0 0.25 ) ( 0 2 -1 ) ) base/floor 1 2 3 } } }");
   const MapSide& side = map.entities.at(0).brushes.at(0).sides.at(0);
   EXPECT_EQ(side.texture, "base/floor");
   EXPECT_EQ(side.texturing.alignment, MapAlignment::kBrushPrimitive);
@@ -105,8 +105,8 @@ TEST(Map, BrushPrimitiveAlignment) {
 }
 
 TEST(Map, DialectsMayBeMixed) {
-  const Map map = read("{ { " + std::string(kPoints) + "a 0 0 0 1 1 " + std::string(kPoints) +
-                       "b [ 1 0 0 0 ] [ 0 1 0 0 ] 0 1 1 } { brushDef { } } }");
+  const Map map = read_text("{ { " + std::string(kPoints) + "a 0 0 0 1 1 " + std::string(kPoints) +
+                            "b [ 1 0 0 0 ] [ 0 1 0 0 ] 0 1 1 } { brushDef { } } }");
   ASSERT_EQ(map.entities.at(0).brushes.size(), 2u);
   EXPECT_EQ(map.entities[0].brushes[0].sides.at(0).texturing.alignment, MapAlignment::kStandard);
   EXPECT_EQ(map.entities[0].brushes[0].sides.at(1).texturing.alignment, MapAlignment::kValve);
@@ -131,7 +131,7 @@ TEST(Map, FlagsBehindASide) {
 }
 
 TEST(Map, PatchesAreReadOver) {
-  const Map map = read(
+  const Map map = read_text(
       "{\n{\npatchDef2\n{\n{grate\n( 3 3 0 0 0 )\n(\n( ( 0 0 0 0 0 ) ( 0 8 0 0 1 ) )\n)\n}\n}\n"
       "{\n}\n}");
   ASSERT_EQ(map.entities.at(0).brushes.size(), 1u);
@@ -139,20 +139,20 @@ TEST(Map, PatchesAreReadOver) {
 }
 
 TEST(Map, BrushWithoutSidesIsKept) {
-  EXPECT_EQ(read("{ { } }").entities.at(0).brushes.size(), 1u);
+  EXPECT_EQ(read_text("{ { } }").entities.at(0).brushes.size(), 1u);
 }
 
 TEST(Map, CommentsLineEndsAndTheEnd) {
-  EXPECT_TRUE(read("").entities.empty());
-  EXPECT_TRUE(read(" // only\r; this").entities.empty());
-  EXPECT_EQ(read("\xef\xbb\xbf{\r}\r\n{ }\n").entities.at(1).line, 3u);
-  EXPECT_EQ(read("{ }\0{ not read"s).entities.size(), 1u);
+  EXPECT_TRUE(read_text("").entities.empty());
+  EXPECT_TRUE(read_text(" // only\r; this").entities.empty());
+  EXPECT_EQ(read_text("\xef\xbb\xbf{\r}\r\n{ }\n").entities.at(1).line, 3u);
+  EXPECT_EQ(read_text("{ }\0{ not read"s).entities.size(), 1u);
 }
 
 TEST(Map, QuotesInsideValues) {
   const auto value = [](std::string_view quoted) {
     return std::string(
-        read("{\n\"k\" " + std::string(quoted) + "\n}").entities.at(0).fields.find("k").value());
+        read_text("{\n\"k\" " + std::string(quoted) + "\n}").entities.at(0).fields.find("k").value());
   };
   EXPECT_EQ(value(R"("say \"hi\" twice")"), "say 'hi' twice");
   EXPECT_EQ(value(R"("\"")"), "'");
@@ -163,21 +163,22 @@ TEST(Map, QuotesInsideValues) {
 }
 
 TEST(Map, ErrorsNameEntityBrushAndLine) {
-  EXPECT_EQ(error_of("\n}\n\n{ }"), "line 2: expected an entity's opening brace, found \"}\"");
-  EXPECT_EQ(error_of("{ }\nVersion 2\n{ }"), "line 2: expected an entity's opening brace, found \"Version\"");
-  EXPECT_EQ(error_of("{\n}\n\n{\n\"a\" \"b\"\n"),
+  EXPECT_EQ(error_of_map("\n}\n\n{ }"), "line 2: expected an entity's opening brace, found \"}\"");
+  EXPECT_EQ(error_of_map("{ }\nVersion 2\n{ }"),
+            "line 2: expected an entity's opening brace, found \"Version\"");
+  EXPECT_EQ(error_of_map("{\n}\n\n{\n\"a\" \"b\"\n"),
             "entity 1, line 4: the entity that opens here is never closed");
-  EXPECT_EQ(error_of("{\n\"classname\" \"func_wall\"\n{\n"),
+  EXPECT_EQ(error_of_map("{\n\"classname\" \"func_wall\"\n{\n"),
             "entity 0 (func_wall), brush 0, line 3: the brush that opens here is never closed");
-  EXPECT_EQ(error_of("{\n{\n}\n{\n{\n"),
+  EXPECT_EQ(error_of_map("{\n{\n}\n{\n{\n"),
             "entity 0, brush 1, line 5: a brace opens inside the brush from line 4");
-  EXPECT_EQ(error_of("{\n\"a\"\n}"), "entity 0, line 2: the key \"a\" has no value");
-  EXPECT_EQ(error_of("{\n\"a\" \"b\n\"c\" \"d\"\n}"),
+  EXPECT_EQ(error_of_map("{\n\"a\"\n}"), "entity 0, line 2: the key \"a\" has no value");
+  EXPECT_EQ(error_of_map("{\n\"a\" \"b\n\"c\" \"d\"\n}"),
             "entity 0, line 2: the quote that opens here is not closed on its line");
-  EXPECT_EQ(error_of("{\n\"a"), "entity 0, line 2: the quote that opens here is not closed on its line");
-  EXPECT_EQ(error_of("{\n{\nbrushDef3\n{\n}\n}\n}"),
+  EXPECT_EQ(error_of_map("{\n\"a"), "entity 0, line 2: the quote that opens here is not closed on its line");
+  EXPECT_EQ(error_of_map("{\n{\nbrushDef3\n{\n}\n}\n}"),
             "entity 0, brush 0, line 3: expected a side or the brush's closing brace, found \"brushDef3\"");
-  EXPECT_EQ(error_of("{\n{\n\"a\" \"b\"\n}\n}"),
+  EXPECT_EQ(error_of_map("{\n{\n\"a\" \"b\"\n}\n}"),
             "entity 0, brush 0, line 3: expected a side or the brush's closing brace, found \"\"a\"\"");
 }
 
@@ -198,9 +199,9 @@ TEST(Map, ErrorsOfASide) {
             place + "expected a side or the brush's closing brace, found \"4\"");
   EXPECT_EQ(error_of_side("w 0 0 0 " + std::string(500, 'x')),
             place + "expected a finite number, found \"" + std::string(40, 'x') + "...\"");
-  EXPECT_EQ(error_of("{ { ( 0 0 1e8 )\n ( 0 0 0 ) ( 0 0 0 ) w 0 0 0 1 1 } }"),
+  EXPECT_EQ(error_of_map("{ { ( 0 0 1e8 )\n ( 0 0 0 ) ( 0 0 0 ) w 0 0 0 1 1 } }"),
             "entity 0, brush 0, line 1: the coordinate 100000000 lies beyond +-16777216");
-  EXPECT_EQ(error_of("{ { ( 0 0"),
+  EXPECT_EQ(error_of_map("{ { ( 0 0"),
             "entity 0, brush 0, line 1: expected a finite number, found the end of the text");
 }
 
@@ -216,7 +217,7 @@ TEST(Map, HundredThousandBrushes) {
     for (int side = 0; side < 6; ++side) text += std::string(kPoints) + "wall 0 0 0 1 1\n";
     text += "}\n";
   }
-  EXPECT_EQ(read(text + "}").entities.at(0).brushes.size(), static_cast<std::size_t>(brushes));
+  EXPECT_EQ(read_text(text + "}").entities.at(0).brushes.size(), static_cast<std::size_t>(brushes));
 }
 
 // What a line of a stock map is, by its first character alone: sides start with a parenthesis, pairs with a
@@ -256,10 +257,10 @@ TEST(Map, StockMapsReadAndRoundTrip) {
   for (const auto& entry : std::filesystem::directory_iterator(data / "mapsrc")) {
     SCOPED_TRACE(entry.path().filename());
     const base::ByteVector bytes = test::read_file(entry.path());
-    const Map map = read(base::as_text(bytes));
+    const Map map = read_text(base::as_text(bytes));
     EXPECT_EQ(counts_of(map), count_lines(base::as_text(bytes)));
     EXPECT_EQ(map.entities.at(0).fields.classname(), "worldspawn");
-    EXPECT_EQ(without_lines(read(write_map(map))), without_lines(map));
+    EXPECT_EQ(without_lines(read_text(write_map(map))), without_lines(map));
     ++maps;
   }
   EXPECT_GT(maps, 0);
@@ -327,7 +328,7 @@ TEST(Map, WhatIsWrittenReadsBack) {
   for (int seed = 0; seed < test::effort(3000, 300); ++seed) {
     test::Random random(static_cast<std::uint64_t>(seed));
     const Map map = random_map(random);
-    EXPECT_TRUE(without_lines(read(write_map(map))) == map) << "seed " << seed << '\n' << write_map(map);
+    EXPECT_TRUE(without_lines(read_text(write_map(map))) == map) << "seed " << seed << '\n' << write_map(map);
   }
 }
 
@@ -335,7 +336,7 @@ TEST(Map, TruncatedTextIsAnErrorOrTheFirstEntities) {
   test::Random random(1);
   for (int round = 0; round < test::effort(20, 4); ++round) {
     const std::string text = write_map(random_map(random));
-    const Map whole = read(text);
+    const Map whole = read_text(text);
     for (std::size_t size = 0; size < text.size(); ++size) {
       const auto map = read_map(std::string_view(text).substr(0, size));
       if (map.ok()) {

@@ -21,10 +21,10 @@ using ::testing::HasSubstr;
 // Where the header's fields lie.
 constexpr std::size_t kVersionAt = 4, kScaleAt = 8, kOriginAt = 20, kRadiusAt = 32, kEyeAt = 36,
                       kSkinsAt = 48, kWidthAt = 52, kHeightAt = 56, kVerticesAt = 60, kTrianglesAt = 64,
-                      kFramesAt = 68, kSizeAt = 80, kHeaderBytes = 84;
+                      kFramesAt = 68, kSizeAt = 80, kMdlHeaderBytes = 84;
 
 // The smallest model: one texel, vertex, triangle and frame, byte by byte.
-constexpr std::size_t kSmallestTexelAt = kHeaderBytes + 4 + 1, kSmallestTriangleAt = kSmallestTexelAt + 12,
+constexpr std::size_t kSmallestTexelAt = kMdlHeaderBytes + 4 + 1, kSmallestTriangleAt = kSmallestTexelAt + 12,
                       kSmallestFrameAt = kSmallestTriangleAt + 16, kSmallestVertexAt = kSmallestFrameAt + 28;
 base::ByteVector smallest_model() {
   base::ByteWriter writer;
@@ -45,7 +45,7 @@ base::ByteVector smallest_model() {
   return std::move(writer).take();
 }
 
-std::string error_of(base::Bytes bytes) {
+std::string error_of_mdl(base::Bytes bytes) {
   const auto mdl = read_mdl(bytes);
   return mdl.ok() ? "no error" : mdl.error().what;
 }
@@ -106,8 +106,8 @@ TEST(Mdl, IgnoresWhatFollowsTheLastFrame) {
 TEST(Mdl, EveryTruncationIsAnErrorThatSaysWhere) {
   for (const base::ByteVector& model : {smallest_model(), write_mdl(test::small_mdl())}) {
     test::for_each_truncation(model, [](const base::ByteVector& bytes) {
-      const std::string what = error_of(bytes);
-      EXPECT_THAT(what, HasSubstr(bytes.size() < kHeaderBytes ? "header has 84 bytes" : "at offset 0x"));
+      const std::string what = error_of_mdl(bytes);
+      EXPECT_THAT(what, HasSubstr(bytes.size() < kMdlHeaderBytes ? "header has 84 bytes" : "at offset 0x"));
     });
   }
 }
@@ -122,21 +122,22 @@ TEST(Mdl, HostileCounts) {
        {Count{kSkinsAt, "skins"}, Count{kWidthAt, "width"}, Count{kHeightAt, "height"},
         Count{kVerticesAt, "vertices"}, Count{kTrianglesAt, "triangles"}, Count{kFramesAt, "frames"}}) {
     for (const std::uint32_t number : {0u, 1u << 31, ~0u, kMaxMdlTriangles + 1}) {
-      const std::string what = error_of(test::with_number(valid, count.at, number));
+      const std::string what = error_of_mdl(test::with_number(valid, count.at, number));
       EXPECT_THAT(what, HasSubstr(count.name));
       EXPECT_THAT(what, HasSubstr(fmt::format("offset {:#x}", count.at)));
       EXPECT_THAT(what, HasSubstr(number == 0 ? "no " : std::to_string(number)));
     }
     // Allowed, but the bytes are not there. (As a second skin, the bytes of the skin coordinates make no
     // sense.)
-    EXPECT_THAT(error_of(test::with_number(valid, count.at, kMaxMdlSkinSide)),
+    EXPECT_THAT(error_of_mdl(test::with_number(valid, count.at, kMaxMdlSkinSide)),
                 HasSubstr(count.at == kSkinsAt ? "skin 1 at offset 0x59: unknown kind" : "are left"));
   }
 }
 
 TEST(Mdl, AnotherMagicOrVersion) {
-  EXPECT_THAT(error_of(test::with_number(smallest_model(), 0, std::uint8_t{'J'})), HasSubstr("not a model"));
-  EXPECT_THAT(error_of(test::with_number(smallest_model(), kVersionAt, 7)), HasSubstr("version 7"));
+  EXPECT_THAT(error_of_mdl(test::with_number(smallest_model(), 0, std::uint8_t{'J'})),
+              HasSubstr("not a model"));
+  EXPECT_THAT(error_of_mdl(test::with_number(smallest_model(), kVersionAt, 7)), HasSubstr("version 7"));
 }
 
 TEST(Mdl, NumbersThatAreNone) {
@@ -149,42 +150,42 @@ TEST(Mdl, NumbersThatAreNone) {
                                Number{kOriginAt + 4, "origin"}, Number{kRadiusAt, "bounding radius"},
                                Number{kEyeAt + 8, "eye"}, Number{kSizeAt, "average triangle size"}}) {
     for (const float value : {infinity, -infinity, std::numeric_limits<float>::quiet_NaN()})
-      EXPECT_THAT(error_of(test::with_number(smallest_model(), number.at, value)),
+      EXPECT_THAT(error_of_mdl(test::with_number(smallest_model(), number.at, value)),
                   HasSubstr(fmt::format("header at offset {:#x}: {} is", number.at, number.name)));
   }
   for (const std::size_t at : {kScaleAt, kOriginAt + 8})
-    EXPECT_THAT(error_of(test::with_number(smallest_model(), at, -1e30f)), HasSubstr("units away")) << at;
+    EXPECT_THAT(error_of_mdl(test::with_number(smallest_model(), at, -1e30f)), HasSubstr("units away")) << at;
 }
 
 TEST(Mdl, IndicesOutOfRange) {
   const base::ByteVector valid = smallest_model();
   for (const std::uint32_t vertex : {1u, 1u << 31})
-    EXPECT_EQ(error_of(test::with_number(valid, kSmallestTriangleAt + 8, vertex)),
+    EXPECT_EQ(error_of_mdl(test::with_number(valid, kSmallestTriangleAt + 8, vertex)),
               fmt::format("triangle 0 at offset {:#x}: vertex {} of 1", kSmallestTriangleAt, vertex));
-  EXPECT_EQ(error_of(test::with_number(valid, kSmallestVertexAt + 3, std::uint8_t{162})),
+  EXPECT_EQ(error_of_mdl(test::with_number(valid, kSmallestVertexAt + 3, std::uint8_t{162})),
             fmt::format("frame 0, vertex 0 at offset {:#x}: normal 162 of 162", kSmallestVertexAt));
-  EXPECT_THAT(error_of(test::with_number(valid, kSmallestTexelAt + 4, 1 << 30)),
+  EXPECT_THAT(error_of_mdl(test::with_number(valid, kSmallestTexelAt + 4, 1 << 30)),
               HasSubstr(fmt::format("vertex 0 at offset {:#x}: 1073741824, -6", kSmallestTexelAt)));
 }
 
 TEST(Mdl, UnknownKindsOfSkinsAndFrames) {
-  EXPECT_THAT(error_of(test::with_number(smallest_model(), kHeaderBytes, 2)),
+  EXPECT_THAT(error_of_mdl(test::with_number(smallest_model(), kMdlHeaderBytes, 2)),
               HasSubstr("skin 0 at offset 0x54: unknown kind 2"));
-  EXPECT_THAT(error_of(test::with_number(smallest_model(), kSmallestFrameAt, -1)),
+  EXPECT_THAT(error_of_mdl(test::with_number(smallest_model(), kSmallestFrameAt, -1)),
               HasSubstr(fmt::format("frame 0 at offset {:#x}: unknown kind -1", kSmallestFrameAt)));
 }
 
 // small_mdl()'s second skin is a group of two; its members and end times follow its kind.
 TEST(Mdl, GroupsOfSkins) {
   const base::ByteVector valid = write_mdl(test::small_mdl());
-  constexpr std::size_t kGroupAt = kHeaderBytes + 4 + 7 * 3;
-  EXPECT_THAT(error_of(test::with_number(valid, kGroupAt + 4, 0)),
+  constexpr std::size_t kGroupAt = kMdlHeaderBytes + 4 + 7 * 3;
+  EXPECT_THAT(error_of_mdl(test::with_number(valid, kGroupAt + 4, 0)),
               HasSubstr("skin 1 at offset 0x6d: a group of none"));
-  EXPECT_THAT(error_of(test::with_number(valid, kGroupAt + 4, 1 << 30)), HasSubstr("4294967296 bytes"));
+  EXPECT_THAT(error_of_mdl(test::with_number(valid, kGroupAt + 4, 1 << 30)), HasSubstr("4294967296 bytes"));
   for (const float end_s : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN()})
-    EXPECT_THAT(error_of(test::with_number(valid, kGroupAt + 8, end_s)), HasSubstr("end time 0 of 2"));
+    EXPECT_THAT(error_of_mdl(test::with_number(valid, kGroupAt + 8, end_s)), HasSubstr("end time 0 of 2"));
   for (const float end_s : {0.25f, 0.1f, std::numeric_limits<float>::infinity()})
-    EXPECT_THAT(error_of(test::with_number(valid, kGroupAt + 12, end_s)),
+    EXPECT_THAT(error_of_mdl(test::with_number(valid, kGroupAt + 12, end_s)),
                 HasSubstr(fmt::format("skin 1 at offset {:#x}: end time 1 of 2", kGroupAt + 12)));
 }
 
@@ -192,7 +193,7 @@ TEST(Mdl, GroupsOfFrames) {
   const Mdl model = test::small_mdl();
   const base::ByteVector valid = write_mdl(model);
   const std::size_t group_at = valid.size() - (16 + 3 * 4 + 3 * (24 + 4 * 4));
-  EXPECT_EQ(error_of(test::with_number(valid, group_at + 16 + 4, 0.05f)),
+  EXPECT_EQ(error_of_mdl(test::with_number(valid, group_at + 16 + 4, 0.05f)),
             fmt::format("frame 1 at offset {:#x}: end time 1 of 3 is 0.05 after 0.1, times rise from zero",
                         group_at + 16 + 4));
   // More members than a model may have poses, all there.

@@ -12,10 +12,10 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr std::size_t kHeaderBytes = 60, kStatementsAt = 8, kGlobalsAt = 16, kFieldsAt = 24,
+constexpr std::size_t kProgsHeaderBytes = 60, kStatementsAt = 8, kGlobalsAt = 16, kFieldsAt = 24,
                       kFunctionsAt = 32, kStringsAt = 40, kWordsAt = 48, kEntityWordsAt = 56;
 
-std::string error_of(base::Bytes bytes) {
+std::string error_of_progs(base::Bytes bytes) {
   const auto progs = read_progs(bytes);
   return progs.ok() ? "no error" : progs.error().what;
 }
@@ -80,8 +80,8 @@ TEST(Progs, WhatIsWrittenReadsBackTheSame) {
 TEST(Progs, EveryTruncationIsAnError) {
   for (const base::ByteVector& file : {smallest_program(), write_progs(small_program())}) {
     test::for_each_truncation(file, [](const base::ByteVector& bytes) {
-      EXPECT_THAT(error_of(bytes),
-                  HasSubstr(bytes.size() < kHeaderBytes ? "header has 60 bytes" : "past the end"));
+      EXPECT_THAT(error_of_progs(bytes),
+                  HasSubstr(bytes.size() < kProgsHeaderBytes ? "header has 60 bytes" : "past the end"));
     });
   }
 }
@@ -100,7 +100,7 @@ TEST(Progs, FlippedBitsAreAnErrorOrReadBackTheSame) {
 
 TEST(Progs, OtherVersionsAreRefused) {
   for (const std::int32_t version : {0, 3, 5, 7, -1})
-    EXPECT_THAT(error_of(test::with_number(smallest_program(), 0, version)),
+    EXPECT_THAT(error_of_progs(test::with_number(smallest_program(), 0, version)),
                 HasSubstr("only version 6 is known"));
 }
 
@@ -108,13 +108,15 @@ TEST(Progs, CountsThatTheFileCannotHold) {
   const base::ByteVector file = write_progs(small_program());
   for (const std::size_t at : {kStatementsAt, kGlobalsAt, kFieldsAt, kFunctionsAt, kStringsAt, kWordsAt}) {
     for (const std::uint32_t count : {1u << 31, 0xffffffffu, 1u << 20})
-      EXPECT_THAT(error_of(test::with_number(file, at + 4, count)), HasSubstr("past the end of the file"));
-    EXPECT_THAT(error_of(test::with_number(file, at, 0xffffffffu)), HasSubstr("past the end of the file"));
+      EXPECT_THAT(error_of_progs(test::with_number(file, at + 4, count)),
+                  HasSubstr("past the end of the file"));
+    EXPECT_THAT(error_of_progs(test::with_number(file, at, 0xffffffffu)),
+                HasSubstr("past the end of the file"));
   }
-  EXPECT_EQ(error_of(test::with_number(file, kStatementsAt + 4, 0)), "no statements");
-  EXPECT_EQ(error_of(test::with_number(file, kFunctionsAt + 4, 0)), "no functions");
-  EXPECT_THAT(error_of(test::with_number(file, kWordsAt + 4, 27)), HasSubstr("27 global words"));
-  EXPECT_THAT(error_of(test::with_number(file, kEntityWordsAt, 1u << 31)),
+  EXPECT_EQ(error_of_progs(test::with_number(file, kStatementsAt + 4, 0)), "no statements");
+  EXPECT_EQ(error_of_progs(test::with_number(file, kFunctionsAt + 4, 0)), "no functions");
+  EXPECT_THAT(error_of_progs(test::with_number(file, kWordsAt + 4, 27)), HasSubstr("27 global words"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, kEntityWordsAt, 1u << 31)),
               HasSubstr("2147483648 words an entity"));
 }
 
@@ -122,47 +124,49 @@ TEST(Progs, StringsBeginAndEndWithAZero) {
   base::ByteVector file = smallest_program();
   const std::size_t at = section(file, kStringsAt);
   for (const std::size_t place : {at, at + 6})
-    EXPECT_THAT(error_of(test::with_number(file, place, 'x')), HasSubstr("begin and end with a zero"));
-  EXPECT_THAT(error_of(test::with_number(file, kStringsAt + 4, 0)), HasSubstr("begin and end with a zero"));
+    EXPECT_THAT(error_of_progs(test::with_number(file, place, 'x')), HasSubstr("begin and end with a zero"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, kStringsAt + 4, 0)),
+              HasSubstr("begin and end with a zero"));
 }
 
 TEST(Progs, DefinitionsOutOfPlace) {
   const base::ByteVector file = write_progs(small_program());
   const std::size_t global = section(file, kGlobalsAt), field = section(file, kFieldsAt);
-  EXPECT_THAT(error_of(test::with_number<std::uint16_t>(file, global, 8)),
+  EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, global, 8)),
               HasSubstr("global 0 (\"time\"): type 8"));
-  EXPECT_THAT(error_of(test::with_number<std::uint16_t>(file, global + 2, 0xffff)),
+  EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, global + 2, 0xffff)),
               HasSubstr("global 0 (\"time\"): it lies at word 65535"));
-  EXPECT_THAT(error_of(test::with_number<std::uint16_t>(file, field + 2, 4)),
+  EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, field + 2, 4)),
               HasSubstr("field 0 (\"health\")"));
   // A vector whose third word is one too far.
-  EXPECT_THAT(error_of(test::with_number<std::uint16_t>(file, field + 10, 2)),
+  EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, field + 10, 2)),
               HasSubstr("field 1 (\"origin\")"));
-  EXPECT_THAT(error_of(test::with_number(file, global + 4, 0x7fffffff)),
+  EXPECT_THAT(error_of_progs(test::with_number(file, global + 4, 0x7fffffff)),
               HasSubstr("global 0: its name or file lies at"));
 }
 
 TEST(Progs, FunctionsOutOfPlace) {
   const base::ByteVector file = write_progs(small_program());
   const std::size_t main = section(file, kFunctionsAt) + 2 * 36;
-  EXPECT_THAT(error_of(test::with_number(file, main, 2)), HasSubstr("begins at statement 2 of 2"));
-  EXPECT_THAT(error_of(test::with_number(file, main, 0x7fffffff)), HasSubstr("begins at statement"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, main, 2)), HasSubstr("begins at statement 2 of 2"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, main, 0x7fffffff)), HasSubstr("begins at statement"));
   for (const std::uint32_t first_local : {1000u, 0xffffffffu})
-    EXPECT_THAT(error_of(test::with_number(file, main + 4, first_local)), HasSubstr("its 6 locals lie at"));
-  EXPECT_THAT(error_of(test::with_number(file, main + 8, 0xffffffffu)),
+    EXPECT_THAT(error_of_progs(test::with_number(file, main + 4, first_local)),
+                HasSubstr("its 6 locals lie at"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, main + 8, 0xffffffffu)),
               HasSubstr("4294967295 locals lie at"));
-  EXPECT_THAT(error_of(test::with_number(file, main + 16, 0xffffffffu)),
+  EXPECT_THAT(error_of_progs(test::with_number(file, main + 16, 0xffffffffu)),
               HasSubstr("function 2: its name or file lies at"));
-  EXPECT_THAT(error_of(test::with_number(file, main + 20, 0xffffffffu)),
+  EXPECT_THAT(error_of_progs(test::with_number(file, main + 20, 0xffffffffu)),
               HasSubstr("function 2: its name or file lies at"));
-  EXPECT_THAT(error_of(test::with_number(file, main + 24, 9)), HasSubstr("9 parameters"));
-  EXPECT_THAT(error_of(test::with_number<std::uint8_t>(file, main + 28, 4)),
+  EXPECT_THAT(error_of_progs(test::with_number(file, main + 24, 9)), HasSubstr("9 parameters"));
+  EXPECT_THAT(error_of_progs(test::with_number<std::uint8_t>(file, main + 28, 4)),
               HasSubstr("parameter 0 has 4 words"));
   // Parameters alone do not fit.
   base::ByteVector tight = test::with_number(
       file, main + 4, static_cast<std::uint32_t>(read_progs(file)->global_words.size() - 3));
   tight = test::with_number(tight, main + 8, 0);
-  EXPECT_THAT(error_of(tight), HasSubstr("its 4 locals lie at"));
+  EXPECT_THAT(error_of_progs(tight), HasSubstr("its 4 locals lie at"));
 }
 
 TEST(Progs, NamesThatDoNotEnd) {
@@ -170,10 +174,10 @@ TEST(Progs, NamesThatDoNotEnd) {
     Progs progs = small_program();
     progs.globals[0].name = static_cast<std::uint32_t>(progs.strings.size());
     progs.strings += std::string(chars, 'x') + '\0';
-    EXPECT_THAT(error_of(write_progs(progs)),
+    EXPECT_THAT(error_of_progs(write_progs(progs)),
                 HasSubstr(chars > 1024 ? "global 0: its name or file has more than" : "no error"));
     std::swap(progs.globals[0].name, progs.functions[1].file);
-    EXPECT_THAT(error_of(write_progs(progs)),
+    EXPECT_THAT(error_of_progs(write_progs(progs)),
                 HasSubstr(chars > 1024 ? "function 1: its name or file has more than" : "no error"));
   }
 }

@@ -83,7 +83,7 @@ base::ByteVector ten_bytes() {
   return HandMade(1, 11025, 8).data("\x80\x81\x7f\xff\x01\x90\xa0\xb0\xc0\xd0").bytes();
 }
 
-std::string error_of(base::Bytes bytes) {
+std::string error_of_wav(base::Bytes bytes) {
   const auto wav = read_wav(bytes);
   return wav.ok() ? "no error" : wav.error().what;
 }
@@ -166,7 +166,7 @@ TEST(Wav, HeaderIsThatOfAWholeFile) {
 
 TEST(Wav, EveryTruncationIsAnErrorThatSaysWhatIsMissing) {
   test::for_each_truncation(ten_bytes(), [](const base::ByteVector& bytes) {
-    const std::string what = error_of(bytes);
+    const std::string what = error_of_wav(bytes);
     if (bytes.size() < 12)
       EXPECT_THAT(what, HasSubstr("not a WAV sound"));
     else if (bytes.size() < kFormatAt + 8)
@@ -183,7 +183,7 @@ TEST(Wav, EveryTruncationIsAnErrorThatSaysWhatIsMissing) {
 TEST(Wav, FaultsAreNamed) {
   const base::ByteVector valid = ten_bytes();
   const auto with = [&](std::size_t at, auto number) {
-    return error_of(test::with_number(valid, at, number));
+    return error_of_wav(test::with_number(valid, at, number));
   };
   EXPECT_THAT(with(0, 0u), HasSubstr("not a WAV sound"));
   EXPECT_THAT(with(kKindAt, std::uint16_t{2}), HasSubstr("format 2 of 8 bits; convert it to PCM"));

@@ -12,8 +12,6 @@ namespace {
 using ::testing::IsEmpty;
 namespace field = server::field;
 
-const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
-
 // How far it goes in that time, and the largest distance along the floor from a place.
 struct Way {
   float length = 0;

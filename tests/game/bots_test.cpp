@@ -16,7 +16,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 namespace field = server::field;
 
-const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
 constexpr std::uint32_t kPlaces = 8;
 
 int bots_in(const PlayedLevel& game) {

@@ -13,7 +13,6 @@ using ::testing::Not;
 using ::testing::SizeIs;
 namespace field = server::field;
 
-const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
 constexpr std::uint8_t kShotgun = 2, kRocketLauncher = 7, kTremor = 13;
 
 // A pane across the hall, and a wall that shows by its frame that it was used.

@@ -16,7 +16,6 @@ namespace {
 using ::testing::IsEmpty;
 namespace field = server::field;
 
-const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
 constexpr float kDegree = std::numbers::pi_v<float> / 180;
 
 void aim_at(PlayedLevel& io_game, std::uint32_t monster) {

@@ -17,8 +17,6 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 namespace field = server::field;
 
-const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
-
 class Levels : public ::testing::TestWithParam<std::string> {};
 
 void arm(server::Edict player) {

@@ -13,8 +13,6 @@ namespace {
 using ::testing::IsEmpty;
 namespace field = server::field;
 
-const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
-
 math::Vec3 middle(server::Edict edict) {
   return (edict[field::kAbsMin] + edict[field::kAbsMax]) * 0.5f;
 }

@@ -13,6 +13,7 @@
 
 namespace temblor::test {
 
+inline const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
 constexpr std::uint8_t kAttack = 1, kJump = 2;  // PlayerInput::buttons
 
 struct PlayedSettings {

@@ -14,8 +14,6 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 namespace field = server::field;
 
-const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
-
 struct Weapon {
   const char* name;
   float impulse;

@@ -14,8 +14,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
-
 std::filesystem::path shipped_base() {
   const char* elsewhere = std::getenv("TEMBLOR_SHIPPED_BASE");
   return elsewhere != nullptr ? elsewhere : TEMBLOR_GAMES;

@@ -11,7 +11,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 namespace field = server::field;
 
-const std::filesystem::path kProgs = std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat";
 constexpr float kTremor = 128, kThunderbolt = 64, kAxe = 4096;
 constexpr float kTremorImpulse = 13;
 

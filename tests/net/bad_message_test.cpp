@@ -14,20 +14,15 @@ namespace temblor::net {
 namespace {
 
 using base::ErrorCode;
+using test::bytes_of;
+using test::k15;
 using test::reader_of;
 using test::written;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
-constexpr Dialect k15{};
 constexpr Dialect k666{Protocol::kFitzQuake, 0};
 constexpr Dialect kFloats{Protocol::kRmq, kFloatCoord | kFloatAngle};
-
-base::ByteVector bytes_of(std::initializer_list<int> numbers) {
-  base::ByteVector bytes;
-  for (const int number : numbers) bytes.push_back(static_cast<std::byte>(number));
-  return bytes;
-}
 
 // Reads the bytes, which are at offset 1000 of a file, to their first error.
 base::Error error_of(base::Bytes bytes, const Dialect& dialect = k15) {

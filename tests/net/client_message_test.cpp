@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "net/dialects.h"
 #include "support/effort.h"
 #include "support/mutations.h"
 #include "support/random.h"
@@ -17,14 +18,9 @@ namespace temblor::net {
 namespace {
 
 using base::ErrorCode;
+using test::bytes_of;
 
 constexpr Protocol kProtocols[] = {Protocol::kNetQuake, Protocol::kFitzQuake, Protocol::kRmq};
-
-base::ByteVector bytes_of(std::initializer_list<int> numbers) {
-  base::ByteVector bytes;
-  for (const int number : numbers) bytes.push_back(static_cast<std::byte>(number));
-  return bytes;
-}
 
 base::ByteVector written(const ClientMessage& message, Protocol protocol) {
   base::ByteWriter writer;

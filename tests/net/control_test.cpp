@@ -85,24 +85,24 @@ TEST(Control, BytesBehindArePassedOver) {
   }
 }
 
-std::string error_of(base::Bytes bytes) {
+std::string control_error(base::Bytes bytes) {
   const auto read = read_control_packet(bytes);
   return read.ok() ? "no error" : read.error().message();
 }
 
 TEST(BadControl, WhatIsWrongIsNamed) {
-  EXPECT_EQ(error_of({}), "0 bytes are no control packet");
-  EXPECT_EQ(error_of(test::to_bytes("\x80\0\0\x04"s)), "4 bytes are no control packet");
-  EXPECT_EQ(error_of(test::to_bytes("\0\0\0\x05\x01"s)), "5 bytes are no control packet");
-  EXPECT_EQ(error_of(test::to_bytes("\x80\0\0\x06\x01"s)),
+  EXPECT_EQ(control_error({}), "0 bytes are no control packet");
+  EXPECT_EQ(control_error(test::to_bytes("\x80\0\0\x04"s)), "4 bytes are no control packet");
+  EXPECT_EQ(control_error(test::to_bytes("\0\0\0\x05\x01"s)), "5 bytes are no control packet");
+  EXPECT_EQ(control_error(test::to_bytes("\x80\0\0\x06\x01"s)),
             "a control packet of 5 bytes has the header 0x80000006");
-  EXPECT_EQ(error_of(test::to_bytes("\x80\x01\0\x05\x01"s)),
+  EXPECT_EQ(control_error(test::to_bytes("\x80\x01\0\x05\x01"s)),
             "a control packet of 5 bytes has the header 0x80010005");
-  EXPECT_EQ(error_of(control("\x06")), "control command 0x6 is not known");
-  EXPECT_EQ(error_of(control("\x01HEXEN\0\x03"s)), "CCREQ_CONNECT: for the game 'HEXEN'");
-  EXPECT_EQ(error_of(control("\x01QUAKE\0"s)), "CCREQ_CONNECT: ends after 11 bytes");
-  EXPECT_EQ(error_of(control("\x01QUAKE"s)), "CCREQ_CONNECT: the game's name has no end");
-  EXPECT_EQ(error_of(control("\x85rule\0x"s)), "CCREP_RULE_INFO: the value has no end");
+  EXPECT_EQ(control_error(control("\x06")), "control command 0x6 is not known");
+  EXPECT_EQ(control_error(control("\x01HEXEN\0\x03"s)), "CCREQ_CONNECT: for the game 'HEXEN'");
+  EXPECT_EQ(control_error(control("\x01QUAKE\0"s)), "CCREQ_CONNECT: ends after 11 bytes");
+  EXPECT_EQ(control_error(control("\x01QUAKE"s)), "CCREQ_CONNECT: the game's name has no end");
+  EXPECT_EQ(control_error(control("\x85rule\0x"s)), "CCREP_RULE_INFO: the value has no end");
 }
 
 TEST(BadControl, EveryTruncationIsAnError) {
@@ -110,7 +110,7 @@ TEST(BadControl, EveryTruncationIsAnError) {
     for (std::size_t size = 1; size < c.body.size(); ++size) {
       const std::string cut = c.body.substr(0, size);
       const bool is_end_of_rules = cut == "\x85";
-      EXPECT_EQ(error_of(control(cut)) == "no error", is_end_of_rules) << name_of(c.packet) << size;
+      EXPECT_EQ(control_error(control(cut)) == "no error", is_end_of_rules) << name_of(c.packet) << size;
     }
 }
 

@@ -21,17 +21,17 @@ std::vector<base::ByteVector> messages_of(base::Bytes recording) {
   return messages;
 }
 
-const base::ByteVector kNop(1, std::byte{1}), kNops(2, std::byte{1});
+const base::ByteVector kNopMessage(1, std::byte{1}), kNopMessages(2, std::byte{1});
 const base::ByteVector kEnd(1, std::byte{2});  // svc_disconnect
 
 TEST(DemoRecording, HoldsWhatWasAddedAndItsEnd) {
   DemoRecording recording;
   EXPECT_TRUE(recording.is_empty());
-  recording.add({1, 2, 3}, kNops);
-  recording.add({1, 2, 3}, kNop);
+  recording.add({1, 2, 3}, kNopMessages);
+  recording.add({1, 2, 3}, kNopMessage);
   EXPECT_FALSE(recording.is_empty());
   const base::ByteVector bytes = std::move(recording).finish();
-  EXPECT_THAT(messages_of(bytes), ElementsAre(kNops, kNop, kEnd));
+  EXPECT_THAT(messages_of(bytes), ElementsAre(kNopMessages, kNopMessage, kEnd));
 }
 
 TEST(DemoRecording, LeavesOutWhatNoRecordHolds) {
@@ -48,7 +48,7 @@ TEST(DemoRecording, OneThatIsFullStillEnds) {
   const base::ByteVector longest(formats::kMaxDemMessage, std::byte{1});
   std::size_t added = 0;
   for (; !recording.is_full(); ++added) recording.add({0, 0, 0}, longest);
-  recording.add({0, 0, 0}, kNop);
+  recording.add({0, 0, 0}, kNopMessage);
   const base::ByteVector bytes = std::move(recording).finish();
   auto reader = formats::DemReader::open(bytes);
   ASSERT_TRUE(reader.ok());

@@ -1,6 +1,7 @@
 // Single messages as bytes, and readers that know what dialect they are in.
 #pragma once
 
+#include <initializer_list>
 #include <utility>
 
 #include "base/check.h"
@@ -8,6 +9,14 @@
 #include "net/message_writer.h"
 
 namespace temblor::test {
+
+inline constexpr net::Dialect k15{};
+
+inline base::ByteVector bytes_of(std::initializer_list<int> numbers) {
+  base::ByteVector bytes;
+  for (const int number : numbers) bytes.push_back(static_cast<std::byte>(number));
+  return bytes;
+}
 
 // CHECKs that the dialect can say it.
 inline base::ByteVector written(const net::ServerMessage& message, const net::Dialect& dialect) {

@@ -14,6 +14,7 @@
 namespace temblor::net {
 namespace {
 
+using test::k15;
 using test::written;
 
 base::ByteVector coord_bytes(float value, const Dialect& dialect) {
@@ -27,7 +28,6 @@ base::ByteVector angle_bytes(float value, const Dialect& dialect) {
   return std::move(writer).take();
 }
 
-constexpr Dialect k15{};
 constexpr Dialect kDialects[] = {k15,
                                  {Protocol::kFitzQuake, 0},
                                  {Protocol::kRmq, kShortAngle | k24BitCoord},

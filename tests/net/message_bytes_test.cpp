@@ -10,9 +10,9 @@
 namespace temblor::net {
 namespace {
 
+using test::k15;
 using test::reader_of;
 
-constexpr Dialect k15{};
 constexpr Dialect k666{Protocol::kFitzQuake, 0};
 constexpr Dialect k999{Protocol::kRmq, kInt32Coord | kShortAngle};
 

@@ -8,10 +8,11 @@ namespace {
 
 using namespace net;
 
-// Fields of messages, in the steps of the dialect, worked out here from the description of the protocols.
-class Fields {
+// RandomFields of messages, in the steps of the dialect, worked out here from the description of the
+// protocols.
+class RandomFields {
  public:
-  Fields(Random& random, const Dialect& dialect)
+  RandomFields(Random& random, const Dialect& dialect)
       : random_(random), dialect_(dialect), extended_(dialect.protocol != Protocol::kNetQuake) {}
 
   // In [low, high], both ends often.
@@ -73,11 +74,11 @@ class Fields {
   bool extended_;
 };
 
-Baseline random_baseline(Fields& f) {
+Baseline random_baseline(RandomFields& f) {
   return {f.wide(), f.wide(), f.u8(), f.u8(), f.coords(), f.angles(), f.alpha(), f.scale()};
 }
 
-EntityUpdate random_update(Fields& f) {
+EntityUpdate random_update(RandomFields& f) {
   EntityUpdate update{.number = f.entity()};
   if (f.flag()) update.number = f.u8();
   f.maybe(update.model, [&] { return f.wide(); });
@@ -95,7 +96,7 @@ EntityUpdate random_update(Fields& f) {
   return update;
 }
 
-ClientData random_client_data(Fields& f) {
+ClientData random_client_data(RandomFields& f) {
   ClientData data;
   if (f.flag()) data.view_height = f.signed_byte(1);
   if (f.flag()) data.ideal_pitch_deg = f.signed_byte(1);
@@ -116,7 +117,7 @@ ClientData random_client_data(Fields& f) {
   return data;
 }
 
-Sound random_sound(Fields& f) {
+Sound random_sound(RandomFields& f) {
   Sound sound;
   if (f.flag()) sound.volume = f.u8();
   if (f.flag()) sound.attenuation = f.byte_over(64);
@@ -128,7 +129,7 @@ Sound random_sound(Fields& f) {
   return sound;
 }
 
-TempEntity random_temp_entity(Fields& f) {
+TempEntity random_temp_entity(RandomFields& f) {
   TempEntity entity{TempEntityKind{static_cast<std::uint8_t>(f.whole(0, 13))}};
   entity.origin = f.coords();
   switch (entity.kind) {
@@ -149,7 +150,7 @@ TempEntity random_temp_entity(Fields& f) {
   return entity;
 }
 
-Particles random_particles(Fields& f) {
+Particles random_particles(RandomFields& f) {
   const math::Vec3 direction{f.signed_byte(1 / 16.0f), f.signed_byte(1 / 16.0f), f.signed_byte(1 / 16.0f)};
   const auto count = static_cast<std::uint16_t>(f.flag() ? 1024 : f.whole(0, 254));
   return {f.coords(), direction, count, f.u8()};
@@ -158,7 +159,7 @@ Particles random_particles(Fields& f) {
 }  // namespace
 
 ServerMessage random_message(Random& random, const Dialect& dialect) {
-  Fields f(random, dialect);
+  RandomFields f(random, dialect);
   switch (random.below(f.extended() ? 37 : 34)) {
     case 0:
       return Nop{};

@@ -8,6 +8,7 @@
 
 #include "formats/dem.h"
 #include "net/dem_packets.h"
+#include "net/dialects.h"
 #include "net/message_reader.h"
 #include "net/message_text.h"
 #include "support/game_data.h"
@@ -15,7 +16,8 @@
 namespace temblor::net {
 namespace {
 
-constexpr Dialect k15{};
+using test::k15;
+
 constexpr Dialect k666{Protocol::kFitzQuake, 0};
 constexpr Dialect k999{Protocol::kRmq, kInt32Coord | kShortAngle};
 

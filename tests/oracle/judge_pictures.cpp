@@ -10,7 +10,7 @@
 namespace temblor::oracle {
 namespace {
 
-constexpr int kWidth = 640, kHeight = 480, kPixelsPerView = 500;
+constexpr int kPictureWidth = 640, kPictureHeight = 480, kPixelsPerView = 500;
 
 test::Viewpoint viewpoint_number(const world::Level& level, render::Projection projection, int number,
                                  test::Random& io_random) {
@@ -29,7 +29,7 @@ Tally judge_pictures(const test::DrawableLevel& drawable, const Pictures& pictur
   const world::Level& level = *drawable.level;
   const PreparedLevel prepared(level);
   render::Renderer renderer(drawable.palette, drawable.colormap);
-  render::FrameBuffer frame(kWidth, kHeight, pictures.format);
+  render::FrameBuffer frame(kPictureWidth, kPictureHeight, pictures.format);
   std::vector<render::PixelFace> pixel_faces(frame.pixel_count());
   std::vector<std::uint8_t> writes(frame.pixel_count());
   Tally total;
@@ -44,7 +44,8 @@ Tally judge_pictures(const test::DrawableLevel& drawable, const Pictures& pictur
                                 {frame, pixel_faces, drawable.palette, drawable.colormap, settings.use_pvs});
     Tally view;
     for (int i = 0; i < kPixelsPerView; ++i) {
-      const auto x = static_cast<int>(random.below(kWidth)), y = static_cast<int>(random.below(kHeight));
+      const auto x = static_cast<int>(random.below(kPictureWidth)),
+                 y = static_cast<int>(random.below(kPictureHeight));
       comparison.pixel(x, y, view);
     }
     if (view.wrong_face > 0)

@@ -22,13 +22,13 @@
 namespace temblor::test {
 namespace {
 
-constexpr int kWidth = 160, kHeight = 100;
+constexpr int kViewWidth = 160, kViewHeight = 100;
 // Corners of triangles are rounded to 1/256 pixel: what is that near to an edge may show either side of it.
 constexpr double kEdgeSlackPx = 1.0 / 64;
 
 render::FrameBuffer drawn(render::Renderer& io_renderer, const render::Scene& scene,
                           const render::Settings& settings, render::PixelFormat format) {
-  render::FrameBuffer frame(kWidth, kHeight, format);
+  render::FrameBuffer frame(kViewWidth, kViewHeight, format);
   io_renderer.render(scene, settings, frame);
   return frame;
 }
@@ -52,12 +52,12 @@ class ModelAgainstRays {
     scene_.camera = camera;
     scene_.alias_models = {&instance, 1};
     const render::FrameBuffer frame = drawn(renderer_, scene_, settings, render::PixelFormat::kIndexed);
-    const ReferencePicture picture = reference_picture(camera, kWidth, kHeight);
+    const ReferencePicture picture = reference_picture(camera, kViewWidth, kViewHeight);
     const ReferenceMesh mesh = reference_mesh(mdl_, 0, instance, picture);
     int wrong = 0;
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x)
-        wrong += !is_right(mesh, picture, x, y, frame.depth()[static_cast<std::size_t>(y * kWidth + x)]);
+    for (int y = 0; y < kViewHeight; ++y)
+      for (int x = 0; x < kViewWidth; ++x)
+        wrong += !is_right(mesh, picture, x, y, frame.depth()[static_cast<std::size_t>(y * kViewWidth + x)]);
     EXPECT_EQ(wrong, 0) << "pixels whose depth is not among those of the rays around them";
   }
 
@@ -225,7 +225,7 @@ PopulatedScene populate(const world::Level& level, std::uint64_t seed) {
   return populated;
 }
 
-constexpr auto kFormats = {render::PixelFormat::kIndexed, render::PixelFormat::kRgb};
+constexpr auto kModelFormats = {render::PixelFormat::kIndexed, render::PixelFormat::kRgb};
 
 TEST(AliasModels, AreTheSameForAnyThreadsBandsAndKernels) {
   const DrawableLevel drawable = small_level({.coloured_light = true});
@@ -233,7 +233,7 @@ TEST(AliasModels, AreTheSameForAnyThreadsBandsAndKernels) {
   for (int seed = 0; seed < effort(8, 2); ++seed) {
     const PopulatedScene populated = populate(*drawable.level, static_cast<std::uint64_t>(seed));
     const render::Scene scene = populated.scene(*drawable.level);
-    for (const render::PixelFormat format : kFormats)
+    for (const render::PixelFormat format : kModelFormats)
       for (const auto raster :
            {render::AliasRaster::kAuto, render::AliasRaster::kAffine, render::AliasRaster::kSubdivision}) {
         render::Settings settings;
@@ -357,7 +357,7 @@ TEST(AliasModels, OfAWarmFrameAllocateNothing) {
   const DrawableLevel drawable = small_level();
   for (const int threads : {1, 2}) {
     render::Renderer renderer(drawable.palette, drawable.colormap);
-    render::FrameBuffer frame(kWidth, kHeight, render::PixelFormat::kIndexed);
+    render::FrameBuffer frame(kViewWidth, kViewHeight, render::PixelFormat::kIndexed);
     const render::Settings settings{.threads = threads, .job_backend = base::JobBackend::kStdThread};
     const auto draw_all = [&] {
       std::size_t while_drawing = 0;

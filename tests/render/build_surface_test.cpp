@@ -28,12 +28,12 @@ std::int64_t wrapped(std::int64_t value, std::int64_t size) {
   return (value % size + size) % size;
 }
 // Rounded down, whatever the sign.
-std::int64_t shifted_right(std::int64_t value, int bits) {
+std::int64_t floor_shifted(std::int64_t value, int bits) {
   const std::int64_t unit = std::int64_t{1} << bits;
   return (value - wrapped(value, unit)) / unit;
 }
-std::int64_t between(std::int64_t a, std::int64_t b, int i, int n) {
-  return a + shifted_right((b - a) * i * (2048 * 16 / n) + 16384, 15);
+std::int64_t surface_between(std::int64_t a, std::int64_t b, int i, int n) {
+  return a + floor_shifted((b - a) * i * (2048 * 16 / n) + 16384, 15);
 }
 
 // One texel of a face's surface, from what the level holds.
@@ -48,9 +48,9 @@ class SurfaceDefinition {
 
   std::uint8_t indexed(int x, int y) const {
     const std::int64_t t = lit(x, y, [&](std::int64_t column, std::int64_t row) {
-      return std::max<std::int64_t>(shifted_right(65280 - light_sum(column, row, 0), 2), 64);
+      return std::max<std::int64_t>(floor_shifted(65280 - light_sum(column, row, 0), 2), 64);
     });
-    return drawable_.colormap.rows[static_cast<std::size_t>(shifted_right(t, 8) * 256 + texel(x, y))];
+    return drawable_.colormap.rows[static_cast<std::size_t>(floor_shifted(t, 8) * 256 + texel(x, y))];
   }
   std::uint32_t rgb(int x, int y) const {
     const formats::Rgb entry = drawable_.palette[texel(x, y)];
@@ -61,7 +61,7 @@ class SurfaceDefinition {
       const std::int64_t h = lit(x, y, [&](std::int64_t column, std::int64_t row) {
         return std::min<std::int64_t>(light_sum(column, row, channel), 65280) / 2;
       });
-      const std::int64_t lit_value = std::min<std::int64_t>(255, shifted_right(2 * value * h + 16384, 15));
+      const std::int64_t lit_value = std::min<std::int64_t>(255, floor_shifted(2 * value * h + 16384, 15));
       const bool full_bright = texel(x, y) >= 256 - drawable_.colormap.fullbrights;
       shown = shown << 8 | (full_bright ? value : static_cast<std::uint32_t>(lit_value));
     }
@@ -76,8 +76,8 @@ class SurfaceDefinition {
     const std::int64_t height = std::max(1u, texture.height >> request_.mip);
     const std::int64_t left = face_.texture_mins[0] + request_.tile_s * 256;
     const std::int64_t top = face_.texture_mins[1] + request_.tile_t * 256;
-    const std::int64_t s = wrapped(shifted_right(left, request_.mip) + x, width);
-    const std::int64_t t = wrapped(shifted_right(top, request_.mip) + y, height);
+    const std::int64_t s = wrapped(floor_shifted(left, request_.mip) + x, width);
+    const std::int64_t t = wrapped(floor_shifted(top, request_.mip) + y, height);
     return texture.mips[static_cast<std::size_t>(request_.mip)][static_cast<std::size_t>(t * width + s)];
   }
 
@@ -103,9 +103,9 @@ class SurfaceDefinition {
   std::int64_t lit(int x, int y, OfSample of_sample) const {
     const int n = texels_a_sample_;
     const auto down = [&](std::int64_t column) {
-      return between(of_sample(column, y / n), of_sample(column, y / n + 1), y % n, n);
+      return surface_between(of_sample(column, y / n), of_sample(column, y / n + 1), y % n, n);
     };
-    return between(down(x / n), down(x / n + 1), x % n, n);
+    return surface_between(down(x / n), down(x / n + 1), x % n, n);
   }
 
   const DrawableLevel& drawable_;

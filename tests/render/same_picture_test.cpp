@@ -16,7 +16,7 @@
 namespace temblor::test {
 namespace {
 
-constexpr int kViews = effort(12, 2);
+constexpr int kSameViews = effort(12, 2);
 constexpr int kWidth = effort(333, 133),
               kHeight = effort(211, 67);  // not multiples of what kernels, bands and blocks work in
 
@@ -87,17 +87,17 @@ void expect_same(const FrameCopy& expected, const FrameCopy& drawn, const std::s
   EXPECT_TRUE(expected == drawn) << what << ": " << differing_pixels(expected, drawn) << " pixels differ";
 }
 
-constexpr auto kFormats = {render::PixelFormat::kIndexed, render::PixelFormat::kRgb};
+constexpr auto kBothFormats = {render::PixelFormat::kIndexed, render::PixelFormat::kRgb};
 
 void expect_independent_of_settings(const DrawableLevel& drawable) {
   const std::vector<NamedSettings> all = settings_of_one_picture();
   // One renderer for each, kept from view to view, as a game would.
   std::vector<render::Renderer> renderers;
   for (std::size_t i = 0; i < all.size(); ++i) renderers.emplace_back(drawable.palette, drawable.colormap);
-  for (int number = 0; number < kViews; ++number) {
+  for (int number = 0; number < kSameViews; ++number) {
     const Viewpoint viewpoint = viewpoint_number(*drawable.level, number);
     const render::Scene scene = viewpoint.scene(*drawable.level);
-    for (const render::PixelFormat format : kFormats) {
+    for (const render::PixelFormat format : kBothFormats) {
       for (const auto perspective : {render::Perspective::kExact, render::Perspective::kEvery16}) {
         const FrameCopy expected = draw_cold(drawable, scene, {.perspective = perspective}, format);
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -114,10 +114,10 @@ void expect_independent_of_settings(const DrawableLevel& drawable) {
 // Forwards, backwards, and after the surfaces are dropped: always the picture of a renderer that has seen
 // nothing else.
 void expect_independent_of_history(const DrawableLevel& drawable) {
-  for (const render::PixelFormat format : kFormats) {
+  for (const render::PixelFormat format : kBothFormats) {
     std::vector<Viewpoint> viewpoints;
     std::vector<FrameCopy> expected;
-    for (int number = 0; number < kViews; ++number) {
+    for (int number = 0; number < kSameViews; ++number) {
       viewpoints.push_back(viewpoint_number(*drawable.level, number));
       expected.push_back(draw_cold(drawable, viewpoints.back().scene(*drawable.level), {}, format));
     }
@@ -167,7 +167,7 @@ TEST(SamePicture, AfterALightStyleChanged) {
   render::Scene bright = viewpoint.scene(*drawable.level), dark = bright;
   bright.light_styles.fill(300);
   dark.light_styles.fill(40);
-  for (const render::PixelFormat format : kFormats) {
+  for (const render::PixelFormat format : kBothFormats) {
     const FrameCopy expected_bright = draw_cold(drawable, bright, {}, format);
     const FrameCopy expected_dark = draw_cold(drawable, dark, {}, format);
     ASSERT_FALSE(expected_bright == expected_dark);
@@ -184,7 +184,7 @@ TEST(SamePicture, AfterTheSettingsOfAnother) {
   const render::Scene scene = viewpoint.scene(*drawable.level);
   const render::Settings others[] = {
       {.mip_rule = render::MipRule::kStock}, {.force_mip = 2}, {.coloured_light = false}, {.use_pvs = false}};
-  for (const render::PixelFormat format : kFormats) {
+  for (const render::PixelFormat format : kBothFormats) {
     render::Renderer renderer(drawable.palette, drawable.colormap);
     const FrameCopy expected = draw_cold(drawable, scene, {}, format);
     for (const render::Settings& other : others) {

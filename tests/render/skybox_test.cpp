@@ -82,7 +82,7 @@ std::vector<Pixel> draw(render::SkyboxRuns runs, int width, int height,
   return pixels;
 }
 
-constexpr int kWidth = 133, kHeight = 87;
+constexpr int kSkyWidth = 133, kSkyHeight = 87;
 
 // Smooth pictures stay smooth: a side in another's place, turned over, or a seam, would show.
 void expect_smooth(const render::Skybox& skybox, double tolerance) {
@@ -92,12 +92,12 @@ void expect_smooth(const render::Skybox& skybox, double tolerance) {
   prepared.follow(skybox, {}, tables, render::PixelFormat::kRgb);
   for (int seed = 0; seed < 40; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
-    const SkyView sky = any_view(*drawable.level, random, kWidth, kHeight);
-    const std::vector<std::uint32_t> pixels =
-        draw<std::uint32_t>(prepared.runs(sky.view), kWidth, kHeight, render::draw_skybox_runs_u32_plain);
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x) {
-        const std::uint32_t pixel = pixels[static_cast<std::size_t>(y * kWidth + x)];
+    const SkyView sky = any_view(*drawable.level, random, kSkyWidth, kSkyHeight);
+    const std::vector<std::uint32_t> pixels = draw<std::uint32_t>(
+        prepared.runs(sky.view), kSkyWidth, kSkyHeight, render::draw_skybox_runs_u32_plain);
+    for (int y = 0; y < kSkyHeight; ++y)
+      for (int x = 0; x < kSkyWidth; ++x) {
+        const std::uint32_t pixel = pixels[static_cast<std::size_t>(y * kSkyWidth + x)];
         const Vec3d expected = colour_towards(sky.ray(x, y));
         ASSERT_NEAR(pixel >> 16 & 255, expected.x, tolerance) << "seed " << seed << ": " << x << "," << y;
         ASSERT_NEAR(pixel >> 8 & 255, expected.y, tolerance) << "seed " << seed << ": " << x << "," << y;
@@ -161,16 +161,16 @@ TEST(Skybox, IsTheSameInVectorCode) {
   indexed.follow(skybox, {}, tables, render::PixelFormat::kIndexed);
   for (int seed = 0; seed < 30; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
-    const render::ViewFrame view = any_view(*drawable.level, random, kWidth, kHeight).view;
+    const render::ViewFrame view = any_view(*drawable.level, random, kSkyWidth, kSkyHeight).view;
     const auto rgb_plain =
-        draw<std::uint32_t>(rgb.runs(view), kWidth, kHeight, render::draw_skybox_runs_u32_plain);
+        draw<std::uint32_t>(rgb.runs(view), kSkyWidth, kSkyHeight, render::draw_skybox_runs_u32_plain);
     const auto indexed_plain =
-        draw<std::uint8_t>(indexed.runs(view), kWidth, kHeight, render::draw_skybox_runs_u8_plain);
+        draw<std::uint8_t>(indexed.runs(view), kSkyWidth, kSkyHeight, render::draw_skybox_runs_u8_plain);
     for_each_vector_target([&] {
-      ASSERT_EQ(rgb_plain,
-                draw<std::uint32_t>(rgb.runs(view), kWidth, kHeight, render::draw_skybox_runs_u32_vector));
-      ASSERT_EQ(indexed_plain,
-                draw<std::uint8_t>(indexed.runs(view), kWidth, kHeight, render::draw_skybox_runs_u8_vector));
+      ASSERT_EQ(rgb_plain, draw<std::uint32_t>(rgb.runs(view), kSkyWidth, kSkyHeight,
+                                               render::draw_skybox_runs_u32_vector));
+      ASSERT_EQ(indexed_plain, draw<std::uint8_t>(indexed.runs(view), kSkyWidth, kSkyHeight,
+                                                  render::draw_skybox_runs_u8_vector));
     });
   }
 }

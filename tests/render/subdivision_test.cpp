@@ -16,8 +16,8 @@
 namespace temblor::test {
 namespace {
 
-constexpr int kWidth = 320, kHeight = 240;
-constexpr double kFocalPx = kHeight * 4 / 3.0 / 2;  // 90 degrees
+constexpr int kBentWidth = 320, kBentHeight = 240;
+constexpr double kFocalPx = kBentHeight * 4 / 3.0 / 2;  // 90 degrees
 
 // Skins of models that are far away are blurs of colour, not noise.
 formats::Mdl smooth_sphere() {
@@ -52,17 +52,17 @@ int distance_to_cover(const render::FrameBuffer& frame, int x, int y) {
     for (int dy = -reach; dy <= reach; ++dy)
       for (int dx = -reach; dx <= reach; ++dx) {
         const int at_x = x + dx, at_y = y + dy;
-        if (at_x < 0 || at_y < 0 || at_x >= kWidth || at_y >= kHeight) continue;
-        if (frame.depth()[static_cast<std::size_t>(at_y * kWidth + at_x)] > 0) return reach;
+        if (at_x < 0 || at_y < 0 || at_x >= kBentWidth || at_y >= kBentHeight) continue;
+        if (frame.depth()[static_cast<std::size_t>(at_y * kBentWidth + at_x)] > 0) return reach;
       }
   return 8;
 }
 
 void compare(const render::FrameBuffer& a, const render::FrameBuffer& b, Difference& io_difference,
              double& io_sum) {
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      const auto i = static_cast<std::size_t>(y * kWidth + x);
+  for (int y = 0; y < kBentHeight; ++y)
+    for (int x = 0; x < kBentWidth; ++x) {
+      const auto i = static_cast<std::size_t>(y * kBentWidth + x);
       const bool in_a = a.depth()[i] > 0, in_b = b.depth()[i] > 0;
       if (in_a != in_b)
         io_difference.farthest_px =
@@ -94,8 +94,8 @@ class Subdivision : public testing::Test {
       instance.angles_deg = random.in_cube(180);
       instance.least_light = 100;
       scene.alias_models = {&instance, 1};
-      render::FrameBuffer affine(kWidth, kHeight, render::PixelFormat::kRgb),
-          other(kWidth, kHeight, render::PixelFormat::kRgb);
+      render::FrameBuffer affine(kBentWidth, kBentHeight, render::PixelFormat::kRgb),
+          other(kBentWidth, kBentHeight, render::PixelFormat::kRgb);
       renderer_.render(scene, {.alias_raster = render::AliasRaster::kAffine}, affine);
       renderer_.render(scene, {.alias_raster = raster}, other);
       compare(affine, other, difference, sum);

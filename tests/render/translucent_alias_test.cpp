@@ -12,7 +12,7 @@
 namespace temblor::test {
 namespace {
 
-constexpr int kWidth = 150, kHeight = 110;
+constexpr int kGlassWidth = 150, kGlassHeight = 110;
 
 class TranslucentAlias : public testing::TestWithParam<render::PixelFormat> {
  protected:
@@ -31,7 +31,7 @@ class TranslucentAlias : public testing::TestWithParam<render::PixelFormat> {
     instance_.angles_deg = random.in_cube(180);
     instance_.full_bright = true;
     instance_.alpha = 1;
-    view_ = render::make_view_frame(scene_, kWidth, kHeight);
+    view_ = render::make_view_frame(scene_, kGlassWidth, kGlassHeight);
     renderer_.render(scene_, {}, background_);
     scene_.alias_models = {&instance_, 1};
     renderer_.render(scene_, {}, opaque_);
@@ -46,8 +46,8 @@ class TranslucentAlias : public testing::TestWithParam<render::PixelFormat> {
   render::Scene scene_;
   render::AliasInstance instance_;
   render::ViewFrame view_;
-  render::FrameBuffer background_{kWidth, kHeight, GetParam()}, translucent_{kWidth, kHeight, GetParam()},
-      opaque_{kWidth, kHeight, GetParam()};
+  render::FrameBuffer background_{kGlassWidth, kGlassHeight, GetParam()},
+      translucent_{kGlassWidth, kGlassHeight, GetParam()}, opaque_{kGlassWidth, kGlassHeight, GetParam()};
 };
 
 TEST_P(TranslucentAlias, BlendsWhatTheOpaquePictureShows) {
@@ -77,13 +77,13 @@ TEST_P(TranslucentAlias, BlendsWhatTheOpaquePictureShows) {
 
 TEST_P(TranslucentAlias, IsLeftOutByTheOpaqueStage) {
   set_up(3);
-  render::FrameBuffer frame(kWidth, kHeight, GetParam());
+  render::FrameBuffer frame(kGlassWidth, kGlassHeight, GetParam());
   base::Jobs jobs(1);
   base::Arena arena;
   std::vector<base::Arena> job_arenas;
   render::draw_alias_models(
       render::prepare_alias_models(scene_, {}, view_, tables_, GetParam(), jobs, arena, job_arenas), true,
-      {0, kHeight}, background_);
+      {0, kGlassHeight}, background_);
   for (std::size_t i = 0; i < frame.pixel_count(); ++i)
     ASSERT_EQ(background_.depth()[i], translucent_.depth()[i]);
 }

@@ -19,7 +19,7 @@ namespace {
 using render::ScreenVertex;
 using render::TexelPoint;
 
-constexpr int kWidth = 97, kHeight = 61, kSkinWidth = 61, kSkinHeight = 43;
+constexpr int kCanvasWidth = 97, kCanvasHeight = 61, kSkinWidth = 61, kSkinHeight = 43;
 constexpr float kUntouched = -1;
 
 struct Mesh {
@@ -37,11 +37,11 @@ std::vector<std::uint8_t> numbered_skin() {
 }
 
 template <typename Pixel>
-struct Canvas {
+struct TriangleCanvas {
   // Room past the last row, filled as the picture is, shows whoever writes there.
-  std::vector<Pixel> pixels = std::vector<Pixel>(kWidth * kHeight + 64, Pixel{77});
-  std::vector<float> depth = std::vector<float>(kWidth * kHeight + 64, kUntouched);
-  bool operator==(const Canvas& other) const {
+  std::vector<Pixel> pixels = std::vector<Pixel>(kCanvasWidth * kCanvasHeight + 64, Pixel{77});
+  std::vector<float> depth = std::vector<float>(kCanvasWidth * kCanvasHeight + 64, kUntouched);
+  bool operator==(const TriangleCanvas& other) const {
     return pixels == other.pixels &&
            std::memcmp(depth.data(), other.depth.data(), depth.size() * sizeof(float)) == 0;
   }
@@ -91,8 +91,8 @@ ScreenVertex random_vertex(Random& random, double spread_px, bool snapped) {
     const double px = size / 2.0 + random.uniform(-spread_px, spread_px);
     return static_cast<std::int32_t>(std::lround(snapped ? std::round(px) * 256 : px * 256));
   };
-  return {coordinate(kWidth), coordinate(kHeight), static_cast<float>(random.log_uniform(0.001, 0.1)),
-          static_cast<float>(random.uniform(0, 16320))};
+  return {coordinate(kCanvasWidth), coordinate(kCanvasHeight),
+          static_cast<float>(random.log_uniform(0.001, 0.1)), static_cast<float>(random.uniform(0, 16320))};
 }
 
 TexelPoint random_texel(Random& random) {
@@ -144,13 +144,15 @@ TEST(TriangleKernels, CoverExactlyWhatTheFillRuleSays) {
   for (int seed = 0; seed < effort(400, 40); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const Mesh mesh = random_mesh(random, 1, seed % 2 == 0);
-    Canvas<std::uint8_t> canvas;
-    render::draw_triangles_u8_plain(job_of(mesh, skin, colours.table, true),
-                                    {canvas.pixels.data(), canvas.depth.data(), kWidth, 0, 0, kHeight});
+    TriangleCanvas<std::uint8_t> canvas;
+    render::draw_triangles_u8_plain(
+        job_of(mesh, skin, colours.table, true),
+        {canvas.pixels.data(), canvas.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
     const ScreenVertex* corner[3] = {&mesh.vertices[0], &mesh.vertices[1], &mesh.vertices[2]};
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x)
-        ASSERT_EQ(canvas.depth[static_cast<std::size_t>(y * kWidth + x)] != kUntouched, covers(corner, x, y))
+    for (int y = 0; y < kCanvasHeight; ++y)
+      for (int x = 0; x < kCanvasWidth; ++x)
+        ASSERT_EQ(canvas.depth[static_cast<std::size_t>(y * kCanvasWidth + x)] != kUntouched,
+                  covers(corner, x, y))
             << "seed " << seed << " pixel " << x << " " << y;
   }
 }
@@ -173,23 +175,24 @@ TEST(TriangleKernels, CoverPixelsAlongSharedSidesOnce) {
                                   0.5f, 0});
         field.texels.push_back(random_texel(random));
       }
-    std::vector<int> writes(kWidth * kHeight);
+    std::vector<int> writes(kCanvasWidth * kCanvasHeight);
     for (std::uint32_t row = 0; row < kCells; ++row)
       for (std::uint32_t column = 0; column < kCells; ++column) {
         const std::uint32_t a = row * (kCells + 1) + column, c = a + kCells + 1;
         for (const auto& triangle : {std::array{a, a + 1, c + 1}, std::array{a, c + 1, c}}) {
           Mesh one = field;
           one.triangles.assign(triangle.begin(), triangle.end());
-          Canvas<std::uint8_t> canvas;
-          render::draw_triangles_u8_plain(job_of(one, skin, colours.table, true),
-                                          {canvas.pixels.data(), canvas.depth.data(), kWidth, 0, 0, kHeight});
+          TriangleCanvas<std::uint8_t> canvas;
+          render::draw_triangles_u8_plain(
+              job_of(one, skin, colours.table, true),
+              {canvas.pixels.data(), canvas.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
           for (std::size_t i = 0; i < writes.size(); ++i) writes[i] += canvas.depth[i] != kUntouched;
         }
       }
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kCanvasHeight; ++y)
+      for (int x = 0; x < kCanvasWidth; ++x) {
         const bool inside = x >= 4 && x < 4 + 81 && y >= 3 && y < 3 + 54;
-        ASSERT_EQ(writes[static_cast<std::size_t>(y * kWidth + x)], inside ? 1 : 0)
+        ASSERT_EQ(writes[static_cast<std::size_t>(y * kCanvasWidth + x)], inside ? 1 : 0)
             << "seed " << seed << " pixel " << x << " " << y;
       }
   }
@@ -234,14 +237,16 @@ TEST(TriangleKernels, DepthAndTexelsAreWithinTheirErrors) {
     const float least = std::min({mesh.vertices[0].depth, mesh.vertices[1].depth, mesh.vertices[2].depth});
     const float most = std::max({mesh.vertices[0].depth, mesh.vertices[1].depth, mesh.vertices[2].depth});
     for (const bool perspective : {false, true}) {
-      Canvas<std::uint8_t> s_canvas, t_canvas;
-      render::draw_triangles_u8_plain(job_of(mesh, s_skin, identity, perspective),
-                                      {s_canvas.pixels.data(), s_canvas.depth.data(), kWidth, 0, 0, kHeight});
-      render::draw_triangles_u8_plain(job_of(mesh, t_skin, identity, perspective),
-                                      {t_canvas.pixels.data(), t_canvas.depth.data(), kWidth, 0, 0, kHeight});
-      for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-          const auto i = static_cast<std::size_t>(y * kWidth + x);
+      TriangleCanvas<std::uint8_t> s_canvas, t_canvas;
+      render::draw_triangles_u8_plain(
+          job_of(mesh, s_skin, identity, perspective),
+          {s_canvas.pixels.data(), s_canvas.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
+      render::draw_triangles_u8_plain(
+          job_of(mesh, t_skin, identity, perspective),
+          {t_canvas.pixels.data(), t_canvas.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
+      for (int y = 0; y < kCanvasHeight; ++y)
+        for (int x = 0; x < kCanvasWidth; ++x) {
+          const auto i = static_cast<std::size_t>(y * kCanvasWidth + x);
           if (s_canvas.depth[i] == kUntouched) continue;
           ++compared;
           const AtPixel at = reference_at(mesh, x, y);
@@ -270,12 +275,13 @@ void expect_twins() {
     Random random(static_cast<std::uint64_t>(seed));
     const Mesh mesh = random_mesh(random, 300, seed % 3 == 0);
     const render::TriangleJob job = job_of(mesh, skin, colours.table, seed % 2 == 0);
-    Canvas<Pixel> expected, drawn;
+    TriangleCanvas<Pixel> expected, drawn;
     // In two bands, of which one is not there for the vectors.
-    const int middle = static_cast<int>(random.below(kHeight));
-    Plain(job, {expected.pixels.data(), expected.depth.data(), kWidth, 0, 0, kHeight});
-    draw_fronts<Vector>(job, {drawn.pixels.data(), drawn.depth.data(), kWidth, 0, 0, middle});
-    draw_fronts<Vector>(job, {drawn.pixels.data(), drawn.depth.data(), kWidth, 0, middle, kHeight});
+    const int middle = static_cast<int>(random.below(kCanvasHeight));
+    Plain(job, {expected.pixels.data(), expected.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
+    draw_fronts<Vector>(job, {drawn.pixels.data(), drawn.depth.data(), kCanvasWidth, 0, 0, middle});
+    draw_fronts<Vector>(job,
+                        {drawn.pixels.data(), drawn.depth.data(), kCanvasWidth, 0, middle, kCanvasHeight});
     ASSERT_TRUE(expected == drawn) << "seed " << seed;
   }
 }
@@ -301,12 +307,13 @@ TEST(TriangleKernels, WriteOnlyToThePicture) {
       if (random.chance(0.05)) vertex.depth = random.chance(0.5) ? HUGE_VALF : std::nanf("");
       if (random.chance(0.05)) vertex.light = random.chance(0.5) ? -HUGE_VALF : std::nanf("");
     }
-    Canvas<std::uint32_t> canvas;
-    const render::TriangleTarget target{canvas.pixels.data(), canvas.depth.data(), kWidth, 0, 5, kHeight};
+    TriangleCanvas<std::uint32_t> canvas;
+    const render::TriangleTarget target{canvas.pixels.data(), canvas.depth.data(), kCanvasWidth, 0, 5,
+                                        kCanvasHeight};
     render::draw_triangles_u32_plain(job_of(mesh, skin, colours.table, true), target);
     draw_fronts<render::draw_triangles_u32_vector>(job_of(mesh, skin, colours.table, true), target);
     for (std::size_t i = 0; i < canvas.pixels.size(); ++i) {
-      const bool is_outside = i < 5 * kWidth || i >= kWidth * kHeight;
+      const bool is_outside = i < 5 * kCanvasWidth || i >= kCanvasWidth * kCanvasHeight;
       ASSERT_TRUE(!is_outside || canvas.pixels[i] == 77) << "seed " << seed;
     }
   }

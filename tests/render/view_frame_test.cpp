@@ -191,12 +191,12 @@ TEST_F(ViewFrames, AreBoundedByTheirFrustum) {
 }
 
 // Where the ray of a pixel's centre meets the plane normal . p = distance.
-struct Hit {
+struct PlaneHit {
   Vec3d point;
   double depth;  // 1 / z, or -z in parallel
   bool steady;   // not along the plane, nor at the eye
 };
-Hit hit_plane(const ViewFrame& view, const Vec3d& normal, double distance, double x, double y) {
+PlaneHit hit_plane(const ViewFrame& view, const Vec3d& normal, double distance, double x, double y) {
   const double right = (x - view.centre_x) / view.pixels_per_unit;
   const double up = -(y - view.centre_y) / view.pixels_per_unit;
   const Vec3d aside = view.axes.right * right + view.axes.up * up;
@@ -221,7 +221,7 @@ TEST_F(ViewFrames, MatchDirectEvaluationAtEveryPixel) {
     for (int pixel = 0; pixel < 10; ++pixel) {
       const double x = static_cast<double>(random.below(static_cast<std::size_t>(view.width)));
       const double y = static_cast<double>(random.below(static_cast<std::size_t>(view.height)));
-      const Hit hit = hit_plane(view, normal, distance, x, y);
+      const PlaneHit hit = hit_plane(view, normal, distance, x, y);
       if (!hit.steady || std::abs(glm::dot(normal, view.eye_world) - distance) < 0.1) continue;
       ++checked;
       ASSERT_NEAR(depth.at(x, y), hit.depth, 1e-9 * std::max(1.0, std::abs(hit.depth))) << "seed " << seed;

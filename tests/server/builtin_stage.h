@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -15,6 +16,9 @@
 #include "server/system_globals.h"
 
 namespace temblor::test {
+
+inline constexpr math::Vec3 kHall(256, 256, 64);  // in the open
+inline constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 // Fields of the stage's program behind the system's.
 constexpr server::Field<float> kAlphaField{105}, kScoreField{107};

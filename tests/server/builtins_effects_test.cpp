@@ -14,8 +14,6 @@ using server::Solid;
 using ::testing::HasSubstr;
 namespace field = server::field;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-
 class Effects : public ::testing::Test {
  protected:
   Effects() {

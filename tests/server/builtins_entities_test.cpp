@@ -14,8 +14,6 @@ using server::Solid;
 using ::testing::HasSubstr;
 namespace field = server::field;
 
-constexpr Vec3 kHall(256, 256, 64);  // in the open
-
 TEST(EntityBuiltins, SpawnGivesAnEntityOfZeros) {
   Stage stage;
   const vm::EntityIndex made = stage.entity("spawn");

@@ -10,8 +10,6 @@ using math::Vec3;
 using server::Solid;
 namespace field = server::field;
 
-constexpr Vec3 kHall(256, 256, 64);
-
 class Movement : public ::testing::Test {
  protected:
   Movement() {

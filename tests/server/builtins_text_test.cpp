@@ -16,7 +16,6 @@ namespace {
 using math::Vec3;
 using ::testing::HasSubstr;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 template <typename... Values>

@@ -13,7 +13,6 @@ namespace temblor::test {
 namespace {
 
 using math::Vec3;
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 void expect_near(const Vec3& a, const Vec3& b) {
   EXPECT_LT(glm::distance(a, b), 1e-6f) << a.x << ' ' << a.y << ' ' << a.z;

@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using vm::EntityIndex;
 
-constexpr math::Bounds kCube{{-8, -8, -8}, {8, 8, 8}};
+constexpr math::Bounds kLinkCube{{-8, -8, -8}, {8, 8, 8}};
 
 std::vector<EntityIndex> selves(const FakeCalls& calls) {
   std::vector<EntityIndex> result;
@@ -27,7 +27,7 @@ std::vector<EntityIndex> selves(const FakeCalls& calls) {
 class LinkTest : public ::testing::Test {
  protected:
   Edict trigger(const math::Vec3& origin, vm::FunctionIndex touch) {
-    const Edict edict = world_.spawn(origin, kCube, Solid::kTrigger, MoveType::kNone);
+    const Edict edict = world_.spawn(origin, kLinkCube, Solid::kTrigger, MoveType::kNone);
     edict.set(field::kTouch, touch);
     return edict;
   }
@@ -37,7 +37,7 @@ class LinkTest : public ::testing::Test {
 };
 
 TEST_F(LinkTest, GrowsBoxesByOneAndItemsByFifteenSideways) {
-  const Edict thing = world_.spawn({10, 20, 30}, kCube, Solid::kBox, MoveType::kNone);
+  const Edict thing = world_.spawn({10, 20, 30}, kLinkCube, Solid::kBox, MoveType::kNone);
   EXPECT_EQ(thing[field::kAbsMin], math::Vec3(1, 11, 21));
   EXPECT_EQ(thing[field::kAbsMax], math::Vec3(19, 29, 39));
   thing.set_flag(flag::kItem);
@@ -54,7 +54,7 @@ TEST_F(LinkTest, CallsTriggersInTheirOrder) {
       world_.spawn({0, 0, 50}, {{-400, -400, -8}, {400, 400, 8}}, Solid::kTrigger, MoveType::kNone);
   wide.set(field::kTouch, touch);
   trigger({-300, 300, 50}, touch);  // elsewhere
-  const Edict toucher = world_.spawn({300, 300, 50}, kCube, Solid::kSlideBox, MoveType::kNone);
+  const Edict toucher = world_.spawn({300, 300, 50}, kLinkCube, Solid::kSlideBox, MoveType::kNone);
   ASSERT_TRUE(link_touching(toucher.index()).ok());
   EXPECT_THAT(selves(world_.calls), ElementsAre(wide.index(), first.index(), second.index()));
   EXPECT_EQ(world_.calls.log[0].other, toucher.index());
@@ -64,9 +64,9 @@ TEST_F(LinkTest, CallsTriggersInTheirOrder) {
 TEST_F(LinkTest, CallsNobodyForWhatIsNoTriggerOrHasNoTouch) {
   const vm::FunctionIndex touch = world_.calls.add();
   trigger({0, 0, 50}, vm::kNoFunction);
-  const Edict solid = world_.spawn({0, 0, 50}, kCube, Solid::kBox, MoveType::kNone);
+  const Edict solid = world_.spawn({0, 0, 50}, kLinkCube, Solid::kBox, MoveType::kNone);
   solid.set(field::kTouch, touch);
-  const Edict toucher = world_.spawn({0, 0, 50}, kCube, Solid::kSlideBox, MoveType::kNone);
+  const Edict toucher = world_.spawn({0, 0, 50}, kLinkCube, Solid::kSlideBox, MoveType::kNone);
   ASSERT_TRUE(link_touching(toucher.index()).ok());
   toucher.set(field::kSolid, static_cast<float>(Solid::kNot));
   trigger({0, 0, 50}, touch);
@@ -82,7 +82,7 @@ TEST_F(LinkTest, ATriggerIsAskedAgainWhenItsTurnComes) {
     world_[triggers[2]].set(field::kSolid, static_cast<float>(Solid::kBox));
   });
   for (int i = 0; i < 4; ++i) triggers.push_back(trigger({0, 0, 50}, touch).index());
-  const Edict toucher = world_.spawn({0, 0, 50}, kCube, Solid::kSlideBox, MoveType::kNone);
+  const Edict toucher = world_.spawn({0, 0, 50}, kLinkCube, Solid::kSlideBox, MoveType::kNone);
   ASSERT_TRUE(link_touching(toucher.index()).ok());
   EXPECT_THAT(selves(world_.calls), ElementsAre(triggers[0], triggers[3]));
 }
@@ -92,7 +92,7 @@ TEST_F(LinkTest, EndsWhenTheToucherIsGoneOrElsewhere) {
       world_.calls.add([&](const FakeCalls::Call& call) { remove(world_.world, call.other); });
   trigger({0, 0, 50}, taking);
   trigger({0, 0, 50}, taking);
-  const EntityIndex toucher = world_.spawn({0, 0, 50}, kCube, Solid::kSlideBox, MoveType::kNone).index();
+  const EntityIndex toucher = world_.spawn({0, 0, 50}, kLinkCube, Solid::kSlideBox, MoveType::kNone).index();
   ASSERT_TRUE(link_touching(toucher).ok());
   EXPECT_EQ(world_.calls.count(taking), 1);
 
@@ -102,7 +102,8 @@ TEST_F(LinkTest, EndsWhenTheToucherIsGoneOrElsewhere) {
   });
   trigger({200, 0, 50}, teleport);
   trigger({200, 0, 50}, teleport);
-  const EntityIndex traveller = world_.spawn({200, 0, 50}, kCube, Solid::kSlideBox, MoveType::kNone).index();
+  const EntityIndex traveller =
+      world_.spawn({200, 0, 50}, kLinkCube, Solid::kSlideBox, MoveType::kNone).index();
   ASSERT_TRUE(link_touching(traveller).ok());
   EXPECT_EQ(world_.calls.count(teleport), 1);
 }
@@ -113,7 +114,7 @@ TEST_F(LinkTest, APlayerWhoLeavesTheLevelInATouchFunctionSurvivesNewEntities) {
     for (int i = 0; i < 500; ++i) ASSERT_TRUE(world_.world.edicts.spawn(world_.world.time_s).ok());
   });
   for (int i = 0; i < 3; ++i) trigger({0, 0, 50}, spawning);
-  const EntityIndex toucher = world_.spawn({0, 0, 50}, kCube, Solid::kSlideBox, MoveType::kNone).index();
+  const EntityIndex toucher = world_.spawn({0, 0, 50}, kLinkCube, Solid::kSlideBox, MoveType::kNone).index();
   ASSERT_TRUE(link_touching(toucher).ok());
   EXPECT_EQ(world_.calls.count(spawning), 3);
   EXPECT_EQ(world_[toucher][field::kOrigin], math::Vec3(0, 0, 50));
@@ -124,7 +125,7 @@ TEST_F(LinkTest, PassesTheProgramsErrorsUp) {
   const vm::FunctionIndex touch = world_.calls.add();
   trigger({0, 0, 50}, world_.calls.failing);
   trigger({0, 0, 50}, touch);
-  const Edict toucher = world_.spawn({0, 0, 50}, kCube, Solid::kSlideBox, MoveType::kNone);
+  const Edict toucher = world_.spawn({0, 0, 50}, kLinkCube, Solid::kSlideBox, MoveType::kNone);
   EXPECT_FALSE(link_touching(toucher.index()).ok());
   EXPECT_EQ(world_.calls.count(touch), 0);
   EXPECT_TRUE(world_.world.scratch.found.empty());
@@ -135,7 +136,7 @@ TEST(LinkLeafs, AreThoseOfAllPointsOfTheBox) {
   TestWorld world(level);
   test::Random random(33);
   const math::Bounds bounds = level->world().bounds;
-  const Edict edict = world.spawn({0, 0, 0}, kCube, Solid::kBox, MoveType::kNone);
+  const Edict edict = world.spawn({0, 0, 0}, kLinkCube, Solid::kBox, MoveType::kNone);
   edict.set(field::kModelIndex, 1);
   int checked = 0;
   for (int i = 0; i < 300; ++i) {

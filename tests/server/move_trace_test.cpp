@@ -19,7 +19,7 @@ using math::Vec3;
 using math::Vec3d;
 using vm::EntityIndex;
 
-constexpr math::Bounds kCube{{-8, -8, -8}, {8, 8, 8}};
+constexpr math::Bounds kMoveTraceCube{{-8, -8, -8}, {8, 8, 8}};
 constexpr math::Bounds kBigCube{{-32, -32, -32}, {32, 32, 32}};
 
 EntityTrace trace(TestWorld& world, const Vec3& start, const Vec3& end, const math::Bounds& box = kNoBox,
@@ -141,13 +141,13 @@ TEST(MoveTrace, NumbersThatAreNoneStopNothingAndCrashNothing) {
 
 class WhoMeetsWhom : public ::testing::Test {
  protected:
-  float fraction(const math::Bounds& box = kCube, MoveKind kind = MoveKind::kNormal) {
+  float fraction(const math::Bounds& box = kMoveTraceCube, MoveKind kind = MoveKind::kNormal) {
     return trace(world_, {-100, 0, 100}, {100, 0, 100}, box, kind, mover_).trace.fraction;
   }
 
   TestWorld world_{hall_text({}, door_text({-8, 100, 60}, {8, 200, 140}))};
-  EntityIndex mover_ = world_.spawn({-100, 0, 100}, kCube, Solid::kBox, MoveType::kFly).index();
-  EntityIndex target_ = world_.spawn({0, 0, 100}, kCube, Solid::kBox, MoveType::kNone).index();
+  EntityIndex mover_ = world_.spawn({-100, 0, 100}, kMoveTraceCube, Solid::kBox, MoveType::kFly).index();
+  EntityIndex target_ = world_.spawn({0, 0, 100}, kMoveTraceCube, Solid::kBox, MoveType::kNone).index();
 };
 
 TEST_F(WhoMeetsWhom, SolidsStopAndTriggersDoNot) {
@@ -184,7 +184,7 @@ TEST_F(WhoMeetsWhom, ThinEntitiesStopOnlyThinMovers) {
 }
 
 TEST_F(WhoMeetsWhom, WithoutMonstersOnlyBrushModelsStop) {
-  EXPECT_EQ(fraction(kCube, MoveKind::kNoMonsters), 1);
+  EXPECT_EQ(fraction(kMoveTraceCube, MoveKind::kNoMonsters), 1);
   const Edict door = world_.spawn_pusher(1);
   door.set(field::kOrigin, {0, -150, 0});
   ASSERT_TRUE(link(world_.world, door.index(), TouchTriggers::kNo).ok());
@@ -226,7 +226,8 @@ TEST_F(WhoMeetsWhom, ASolidBrushWithoutOneIsItsBox) {
 }
 
 TEST_F(WhoMeetsWhom, FromInsideAnEntityTheWallStillStops) {
-  const EntityTrace found = trace(world_, {0, 0, 100}, {2000, 0, 100}, kCube, MoveKind::kNormal, mover_);
+  const EntityTrace found =
+      trace(world_, {0, 0, 100}, {2000, 0, 100}, kMoveTraceCube, MoveKind::kNormal, mover_);
   EXPECT_TRUE(found.trace.start_solid);
   EXPECT_NEAR(found.trace.end.x, 512 - 16, 8.1);
   world_[mover_].set(field::kOrigin, {4, 0, 100});

@@ -14,13 +14,13 @@ namespace {
 using ::testing::ElementsAre;
 using vm::EntityIndex;
 
-constexpr math::Bounds kCube{{-8, -8, -8}, {8, 8, 8}};
-constexpr double kTick = 1.0 / 72;
+constexpr math::Bounds kPhysicsCube{{-8, -8, -8}, {8, 8, 8}};
+constexpr double kPhysicsTick = 1.0 / 72;
 
 class PhysicsTest : public ::testing::Test {
  protected:
   EntityIndex thinker(float think_s, vm::FunctionIndex think, MoveType type = MoveType::kNone) {
-    const Edict edict = world_.spawn({0, 0, 100}, kCube, Solid::kNot, type);
+    const Edict edict = world_.spawn({0, 0, 100}, kPhysicsCube, Solid::kNot, type);
     edict.set(field::kThink, think);
     edict.set(field::kNextThink, think_s);
     return edict.index();
@@ -94,9 +94,9 @@ TEST_F(PhysicsTest, WhoIsRemovedDoesNothingMore) {
 
 TEST_F(PhysicsTest, RetouchingCountsDown) {
   const vm::FunctionIndex touch = world_.calls.add();
-  const Edict trigger = world_.spawn({0, 0, 100}, kCube, Solid::kTrigger, MoveType::kNone);
+  const Edict trigger = world_.spawn({0, 0, 100}, kPhysicsCube, Solid::kTrigger, MoveType::kNone);
   trigger.set(field::kTouch, touch);
-  world_.spawn({0, 0, 100}, kCube, Solid::kBox, MoveType::kNone);
+  world_.spawn({0, 0, 100}, kPhysicsCube, Solid::kBox, MoveType::kNone);
   world_.tick(3);
   EXPECT_EQ(world_.calls.count(touch), 0);
   world_.force_retouch = std::bit_cast<std::uint32_t>(2.0f);
@@ -124,7 +124,7 @@ TEST_F(PhysicsTest, TheWorldItselfIsAPusherAndThinks) {
   const Edict ground = world_.world.edicts.world();
   ground.set(field::kThink, think);
   ground.set(field::kNextThink, 0.1f);  // by its own clock
-  world_.tick(static_cast<int>(0.2 / kTick));
+  world_.tick(static_cast<int>(0.2 / kPhysicsTick));
   EXPECT_EQ(world_.calls.count(think), 1);
 }
 

@@ -12,14 +12,14 @@ namespace {
 using math::Vec3;
 using vm::EntityIndex;
 
-constexpr double kTick = 1.0 / 72;
-constexpr float kStanding = 24 + kGap;
+constexpr double kPlayerTick = 1.0 / 72;
+constexpr float kPlayerStanding = 24 + kGap;
 const PlayerCommand kNothing{};
 const PlayerCommand kForward{.forward = 400};
 
 TEST(Player, JumpsAsHighAsTheFormulaSays) {
   TestWorld world(hall_text());
-  const Edict player = world.player({0, 0, kStanding});
+  const Edict player = world.player({0, 0, kPlayerStanding});
   world.command_and_tick(kNothing, 2);
   ASSERT_TRUE(player.has_flag(flag::kOnGround));
   Vec3 velocity = player[field::kVelocity];
@@ -33,13 +33,13 @@ TEST(Player, JumpsAsHighAsTheFormulaSays) {
     ++ticks;
   } while (!player.has_flag(flag::kOnGround) && ticks < 200);
   // v v / 2 g, less what gravity takes in half a tick of rising.
-  EXPECT_NEAR(highest - kStanding, 270.0 * 270 / 1600 - 270 * kTick / 2, 0.1);
-  EXPECT_NEAR(ticks * kTick, 2 * 270.0 / 800, 2 * kTick);
+  EXPECT_NEAR(highest - kPlayerStanding, 270.0 * 270 / 1600 - 270 * kPlayerTick / 2, 0.1);
+  EXPECT_NEAR(ticks * kPlayerTick, 2 * 270.0 / 800, 2 * kPlayerTick);
 }
 
 TEST(Player, RunsAtFullSpeedAndStopsWithinTheFormulasDistance) {
   TestWorld world(hall_text());
-  const Edict player = world.player({-400, 0, kStanding});
+  const Edict player = world.player({-400, 0, kPlayerStanding});
   world.command_and_tick(kForward, 72);
   EXPECT_NEAR(player[field::kVelocity].x, 320, 0.1);
   const float from = player[field::kOrigin].x;
@@ -47,20 +47,20 @@ TEST(Player, RunsAtFullSpeedAndStopsWithinTheFormulasDistance) {
   EXPECT_EQ(player[field::kVelocity].x, 0);
   const double distance = player[field::kOrigin].x - from;
   EXPECT_LT(distance, (320.0 - 100) / 4 + 100.0 * 100 / 800);
-  EXPECT_GT(distance, (320.0 - 100) / 4 + 100.0 * 100 / 800 - 320 * kTick);
+  EXPECT_GT(distance, (320.0 - 100) / 4 + 100.0 * 100 / 800 - 320 * kPlayerTick);
 }
 
 TEST(Player, StopsInLessWayAtAnEdge) {
   double ways[2];
   for (const bool has_edge : {false, true}) {
     TestWorld world(hall_text(test::box_text({-512, -512, 0}, {has_edge ? 0.0 : 512.0, 512, 100}, "wall")));
-    const Edict player = world.player({-200, 0, 100 + kStanding});
+    const Edict player = world.player({-200, 0, 100 + kPlayerStanding});
     world.command_and_tick(kNothing, 2);
-    player.set(field::kOrigin, {-30, 0, 100 + kStanding});
+    player.set(field::kOrigin, {-30, 0, 100 + kPlayerStanding});
     player.set(field::kVelocity, {320, 0, 0});
     world.command_and_tick(kNothing, 72);
     ways[has_edge ? 1 : 0] = player[field::kOrigin].x + 30;
-    EXPECT_NEAR(player[field::kOrigin].z, 100 + kStanding, 0.1);
+    EXPECT_NEAR(player[field::kOrigin].z, 100 + kPlayerStanding, 0.1);
   }
   EXPECT_LT(ways[1], 0.8 * ways[0]);
 }
@@ -69,14 +69,14 @@ class PlayerSteps : public ::testing::TestWithParam<int> {};
 TEST_P(PlayerSteps, AreClimbedUpToEighteenUnits) {
   TestWorld world(
       hall_text(test::box_text({0, -512, 0}, {512, 512, static_cast<double>(GetParam())}, "wall")));
-  const Edict player = world.player({-100, 0, kStanding});
+  const Edict player = world.player({-100, 0, kPlayerStanding});
   world.command_and_tick(kForward, 72);
   const bool climbs = GetParam() <= 18;
   EXPECT_EQ(player[field::kOrigin].x > 0, climbs);
-  EXPECT_NEAR(player[field::kOrigin].z, double{kStanding} + (climbs ? GetParam() : 0), 0.2);
+  EXPECT_NEAR(player[field::kOrigin].z, double{kPlayerStanding} + (climbs ? GetParam() : 0), 0.2);
   // And not where the server forbids it.
   world.world.settings.no_step = true;
-  player.set(field::kOrigin, {-100, 0, kStanding});
+  player.set(field::kOrigin, {-100, 0, kPlayerStanding});
   world.command_and_tick(kForward, 72);
   EXPECT_LT(player[field::kOrigin].x, 0);
 }
@@ -91,7 +91,7 @@ TEST(Player, SwimsAndSinks) {
   world.command_and_tick(kForward, 144);
   EXPECT_NEAR(player[field::kVelocity].x, 320 * 0.7, 0.5);
   world.command_and_tick(kNothing, 400);
-  EXPECT_NEAR(player[field::kOrigin].z, kStanding, 0.1);  // on the ground by now
+  EXPECT_NEAR(player[field::kOrigin].z, kPlayerStanding, 0.1);  // on the ground by now
   player.set(field::kOrigin, {0, 0, 300});
   player.set(field::kVelocity, {0, 0, 0});
   world.command_and_tick(kNothing, 100);
@@ -132,7 +132,7 @@ TEST(Player, JumpsOutOfWaterTheWayTheProgramGives) {
 
 TEST(Player, OutOfATeleporterDoesNotGoBack) {
   TestWorld world(hall_text());
-  const Edict player = world.player({0, 0, kStanding});
+  const Edict player = world.player({0, 0, kPlayerStanding});
   world.command_and_tick(kNothing, 2);
   player.set(field::kTeleportTime, static_cast<float>(world.world.time_s) + 0.5f);
   world.command_and_tick({.forward = -400}, 30);
@@ -143,13 +143,13 @@ TEST(Player, OutOfATeleporterDoesNotGoBack) {
 
 TEST(Player, LooksAndLeansAndIsShaken) {
   TestWorld world(hall_text());
-  const Edict player = world.player({0, 0, kStanding});
+  const Edict player = world.player({0, 0, kPlayerStanding});
   player.set(field::kVelocity, {0, -100, 0});
   player.set(field::kPunchAngle, {-4, 0, 0});
   move_player(world.world, player.index(), {.view_angles_deg = {30, 0, 0}});
-  EXPECT_NEAR(player[field::kPunchAngle].x, -4 + 10 * kTick, 1e-4);
+  EXPECT_NEAR(player[field::kPunchAngle].x, -4 + 10 * kPlayerTick, 1e-4);
   EXPECT_EQ(player[field::kViewAngles], Vec3(30, 0, 0));
-  EXPECT_NEAR(player[field::kAngles].x, -(30 - 4 + 10 * kTick) / 3, 1e-3);
+  EXPECT_NEAR(player[field::kAngles].x, -(30 - 4 + 10 * kPlayerTick) / 3, 1e-3);
   EXPECT_NEAR(player[field::kAngles].z, 4, 0.01);
   player.set(field::kFixAngle, 1);
   move_player(world.world, player.index(), {.view_angles_deg = {0, 90, 0}});
@@ -173,29 +173,29 @@ TEST(Player, FliesThroughWallsWithoutClipping) {
 
 TEST(Player, ComesFreeOfWhatItIsStuckIn) {
   TestWorld world(hall_text(test::box_text({100, -512, 0}, {512, 512, 200}, "wall")));
-  const Edict player = world.player({0, 0, kStanding});
+  const Edict player = world.player({0, 0, kPlayerStanding});
   world.command_and_tick(kNothing, 2);
   // Where it last was well.
-  player.set(field::kOrigin, {150, 0, kStanding});
+  player.set(field::kOrigin, {150, 0, kPlayerStanding});
   world.command_and_tick(kNothing, 2);
   EXPECT_NEAR(player[field::kOrigin].x, 0, 0.1);
   // A unit beside.
-  player.set(field::kOrigin, {84.5f, 0, kStanding});
-  player.set(field::kOldOrigin, {150, 0, kStanding});
+  player.set(field::kOrigin, {84.5f, 0, kPlayerStanding});
+  player.set(field::kOldOrigin, {150, 0, kPlayerStanding});
   world.command_and_tick(kNothing, 2);
   EXPECT_NEAR(player[field::kOrigin].x, 83.5, 0.1);
   // Up to 17 units up.
-  player.set(field::kOrigin, {0, 0, kStanding - 10});
-  player.set(field::kOldOrigin, {150, 0, kStanding});
+  player.set(field::kOrigin, {0, 0, kPlayerStanding - 10});
+  player.set(field::kOldOrigin, {150, 0, kPlayerStanding});
   world.command_and_tick(kNothing, 2);
-  EXPECT_GT(player[field::kOrigin].z, kStanding - 0.1);
+  EXPECT_GT(player[field::kOrigin].z, kPlayerStanding - 0.1);
 }
 
 TEST(Player, IsToldBeforeAndAfterEachTickAndOnlyWhileActive) {
   TestWorld world(hall_text(), 2);
   const vm::FunctionIndex start = world.calls.add(), before = world.calls.add(), after = world.calls.add();
   world.functions = {start, before, after};
-  world.player({0, 0, kStanding});
+  world.player({0, 0, kPlayerStanding});
   constexpr bool kOnlyFirst[] = {true, false};
   ASSERT_TRUE(run_physics(world.world, world.functions, kOnlyFirst, world.force_retouch).ok());
   ASSERT_EQ(world.calls.log.size(), 3u);
@@ -204,19 +204,19 @@ TEST(Player, IsToldBeforeAndAfterEachTickAndOnlyWhileActive) {
   EXPECT_EQ(world.calls.log[1].function, before);
   EXPECT_EQ(world.calls.log[1].self, EntityIndex{1});
   EXPECT_EQ(world.calls.log[2].function, after);
-  EXPECT_NEAR(world.world.time_s, 10 + kTick, 1e-9);
+  EXPECT_NEAR(world.world.time_s, 10 + kPlayerTick, 1e-9);
 }
 
 TEST(Walker, WhoIsNoPlayerWalksAlike) {
   TestWorld world(hall_text(test::box_text({0, -512, 0}, {512, 512, 16}, "wall")));
-  const Edict bot = world.spawn({-40, 0, kStanding}, kPlayerBox, Solid::kSlideBox, MoveType::kWalk);
+  const Edict bot = world.spawn({-40, 0, kPlayerStanding}, kPlayerBox, Solid::kSlideBox, MoveType::kWalk);
   bot.set_flag(flag::kOnGround);
   for (int i = 0; i < 30; ++i) {
     bot.set(field::kVelocity, {200, 0, bot[field::kVelocity].z});
     world.tick();
   }
   EXPECT_GT(bot[field::kOrigin].x, 0);
-  EXPECT_NEAR(bot[field::kOrigin].z, kStanding + 16, 0.1);
+  EXPECT_NEAR(bot[field::kOrigin].z, kPlayerStanding + 16, 0.1);
 }
 
 }  // namespace

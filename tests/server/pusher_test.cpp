@@ -10,8 +10,8 @@ namespace {
 using math::Vec3;
 using vm::EntityIndex;
 
-constexpr math::Bounds kCube{{-8, -8, -8}, {8, 8, 8}};
-constexpr float kTick = 1.0f / 72;
+constexpr math::Bounds kPusherCube{{-8, -8, -8}, {8, 8, 8}};
+constexpr float kPusherTick = 1.0f / 72;
 
 // A plate in the hall's middle whose upper side is at 16.
 const std::string kLift = hall_text({}, door_text({-100, -100, 0}, {100, 100, 16}));
@@ -78,7 +78,7 @@ TEST(Pusher, CarriesWhoStandsOnIt) {
     const Vec3 lift_before = lift[field::kOrigin], before = player[field::kOrigin];
     world.tick(60);
     const Vec3 lift_way = lift[field::kOrigin] - lift_before;
-    EXPECT_NEAR(glm::distance(lift_way, velocity * 60.0f * kTick), 0, 0.01);
+    EXPECT_NEAR(glm::distance(lift_way, velocity * 60.0f * kPusherTick), 0, 0.01);
     EXPECT_NEAR(glm::distance(player[field::kOrigin] - before, lift_way), 0, 0.1);
   }
 }
@@ -86,9 +86,9 @@ TEST(Pusher, CarriesWhoStandsOnIt) {
 TEST(Pusher, PushesWhatIsInItsWayAndNothingElse) {
   TestWorld world(kDoor);
   const Edict door = world.spawn_pusher(1, {60, 0, 0});
-  const Edict in_the_way = world.spawn({-40, 0, 60}, kCube, Solid::kBox, MoveType::kFly);
-  const Edict beside = world.spawn({-40, 200, 60}, kCube, Solid::kBox, MoveType::kFly);
-  const Edict fixed = world.spawn({-40, -50, 60}, kCube, Solid::kBox, MoveType::kNone);
+  const Edict in_the_way = world.spawn({-40, 0, 60}, kPusherCube, Solid::kBox, MoveType::kFly);
+  const Edict beside = world.spawn({-40, 200, 60}, kPusherCube, Solid::kBox, MoveType::kFly);
+  const Edict fixed = world.spawn({-40, -50, 60}, kPusherCube, Solid::kBox, MoveType::kNone);
   in_the_way.set_flag(flag::kOnGround);
   world.tick(72);
   EXPECT_NEAR(in_the_way[field::kOrigin].x, -60 + 60 + 8, 1.1);
@@ -124,11 +124,11 @@ TEST_F(BlockedPusher, StaysAndTellsWhoStandsInItsWay) {
   EXPECT_EQ(blocker_, box.index());
   // As far as whole ticks of 5/6 unit take it, and its clock with it.
   EXPECT_LE(door[field::kOrigin].x, 60 - 32);
-  EXPECT_GT(door[field::kOrigin].x, 60 - 32 - 2 * 60 * kTick);
+  EXPECT_GT(door[field::kOrigin].x, 60 - 32 - 2 * 60 * kPusherTick);
   EXPECT_NEAR(door[field::kLocalTime] * 60, door[field::kOrigin].x, 0.01);
   // The other was moved, and put back when the push that was blocked moved it: it is where the door is.
   EXPECT_GT(loose[field::kOrigin].x, -42);
-  EXPECT_NEAR(loose[field::kOrigin].x, door[field::kOrigin].x - 60, 60 * kTick + 0.1);
+  EXPECT_NEAR(loose[field::kOrigin].x, door[field::kOrigin].x - 60, 60 * kPusherTick + 0.1);
   EXPECT_FALSE(is_stuck(world_.world, loose.index()));
 }
 
@@ -165,11 +165,11 @@ TEST(Pusher, OneThatIsNotSolidCarriesItsRidersAndStaysSo) {
   TestWorld world(kLift);
   const Edict lift = world.spawn_pusher(1, {0, 60, 0});
   lift.set(field::kSolid, static_cast<float>(Solid::kTrigger));
-  const Edict rider = world.spawn({0, 0, 200}, kCube, Solid::kBox, MoveType::kBounce);
+  const Edict rider = world.spawn({0, 0, 200}, kPusherCube, Solid::kBox, MoveType::kBounce);
   rider.set_flag(flag::kOnGround);
   rider.set(field::kGroundEntity, lift.index());
   world.tick();
-  EXPECT_NEAR(rider[field::kOrigin].y, 60 * kTick, 0.01);
+  EXPECT_NEAR(rider[field::kOrigin].y, 60 * kPusherTick, 0.01);
   EXPECT_EQ(lift.solid(), Solid::kTrigger);
 }
 

@@ -13,12 +13,12 @@ using math::Vec3;
 using ::testing::IsEmpty;
 using vm::EntityIndex;
 
-constexpr math::Bounds kCube{{-8, -8, -8}, {8, 8, 8}};
-constexpr double kTick = 1.0 / 72;
+constexpr math::Bounds kThrownCube{{-8, -8, -8}, {8, 8, 8}};
+constexpr double kThrownTick = 1.0 / 72;
 
 TEST(Thrown, FallsAsLongAsTheHeightSays) {
   TestWorld world(hall_text());
-  const Edict gib = world.spawn({0, 0, 408}, kCube, Solid::kNot, MoveType::kToss);
+  const Edict gib = world.spawn({0, 0, 408}, kThrownCube, Solid::kNot, MoveType::kToss);
   int ticks = 0;
   while (!gib.has_flag(flag::kOnGround) && ticks < 500) {
     world.tick();
@@ -27,7 +27,7 @@ TEST(Thrown, FallsAsLongAsTheHeightSays) {
   // 400 units: after n ticks it has fallen g / 72 / 72 * n (n + 1) / 2.
   const double n = (std::sqrt(1 + 8 * 400 * 72 * 72 / 800.0) - 1) / 2;
   EXPECT_EQ(ticks, static_cast<int>(std::ceil(n)));
-  EXPECT_NEAR(ticks * kTick, std::sqrt(2 * 400 / 800.0), 2 * kTick);
+  EXPECT_NEAR(ticks * kThrownTick, std::sqrt(2 * 400 / 800.0), 2 * kThrownTick);
   EXPECT_NEAR(gib[field::kOrigin].z, 8 + kGap, 0.01);
   EXPECT_EQ(gib[field::kVelocity], Vec3(0.0f));
   EXPECT_EQ(gib[field::kGroundEntity], vm::kWorld);
@@ -43,12 +43,12 @@ TEST(Thrown, FallsAsLongAsTheHeightSays) {
 TEST(Thrown, FallsByItsOwnGravityWhereTheProgramHasSuchAField) {
   TestWorld world(hall_text());
   world.world.gravity_field = Field<float>{kSystemFieldWords};
-  const Edict light = world.spawn({0, 0, 400}, kCube, Solid::kNot, MoveType::kToss);
-  const Edict plain = world.spawn({50, 0, 400}, kCube, Solid::kNot, MoveType::kToss);
+  const Edict light = world.spawn({0, 0, 400}, kThrownCube, Solid::kNot, MoveType::kToss);
+  const Edict plain = world.spawn({50, 0, 400}, kThrownCube, Solid::kNot, MoveType::kToss);
   light.set(*world.world.gravity_field, 0.25f);
   world.tick(20);
   EXPECT_NEAR(light[field::kVelocity].z, 0.25f * plain[field::kVelocity].z, 1e-3);
-  EXPECT_NEAR(plain[field::kVelocity].z, -800 * 20 * kTick, 1e-2);
+  EXPECT_NEAR(plain[field::kVelocity].z, -800 * 20 * kThrownTick, 1e-2);
 }
 
 TEST(Thrown, WeightlessThingsFlyStraightAndTurn) {
@@ -67,7 +67,7 @@ TEST(Thrown, WeightlessThingsFlyStraightAndTurn) {
 
 TEST(Thrown, BouncesWithHalfOfItsSpeedAndComesToRest) {
   TestWorld world(hall_text());
-  const Edict grenade = world.spawn({0, 0, 308}, kCube, Solid::kBox, MoveType::kBounce);
+  const Edict grenade = world.spawn({0, 0, 308}, kThrownCube, Solid::kBox, MoveType::kBounce);
   grenade.set(field::kVelocity, {100, 0, 0});
   float fastest_down = 0;
   while (grenade[field::kVelocity].z <= 0) {
@@ -75,7 +75,7 @@ TEST(Thrown, BouncesWithHalfOfItsSpeedAndComesToRest) {
     world.tick();
   }
   // Into the floor with one more tick's gravity; 1.5 of it is taken away.
-  EXPECT_NEAR(grenade[field::kVelocity].z, -0.5 * (fastest_down - 800 * kTick), 0.1);
+  EXPECT_NEAR(grenade[field::kVelocity].z, -0.5 * (fastest_down - 800 * kThrownTick), 0.1);
   EXPECT_EQ(grenade[field::kVelocity].x, 100);
   for (int i = 0; i < 400 && !grenade.has_flag(flag::kOnGround); ++i) {
     grenade.set(field::kVelocity, {0, 0, grenade[field::kVelocity].z});
@@ -89,7 +89,7 @@ TEST(Thrown, ABounceUnderSixtyRests) {
   for (const auto& [speed, rests] : {std::pair{100.0f, true}, {140.0f, false}}) {
     TestWorld world(hall_text());
     world.world.settings.gravity = 0;
-    const Edict grenade = world.spawn({0, 0, 9}, kCube, Solid::kBox, MoveType::kBounce);
+    const Edict grenade = world.spawn({0, 0, 9}, kThrownCube, Solid::kBox, MoveType::kBounce);
     grenade.set(field::kVelocity, {0, 0, -speed});
     world.tick();
     EXPECT_EQ(grenade.has_flag(flag::kOnGround), rests);
@@ -101,7 +101,7 @@ TEST(Thrown, TouchesWhatItMeetsAndIsTouchedByIt) {
   TestWorld world(hall_text());
   const vm::FunctionIndex touch = world.calls.add();
   const Edict rocket = world.spawn({-100, 0, 100}, kNoBox, Solid::kBox, MoveType::kFlyMissile);
-  const Edict box = world.spawn({0, 0, 100}, kCube, Solid::kBox, MoveType::kNone);
+  const Edict box = world.spawn({0, 0, 100}, kThrownCube, Solid::kBox, MoveType::kNone);
   rocket.set(field::kVelocity, {1000, 0, 0});
   rocket.set(field::kTouch, touch);
   box.set(field::kTouch, touch);
@@ -132,14 +132,14 @@ TEST(Thrown, VelocityIsBoundedAndMadeANumber) {
   const Edict gib = world.spawn({0, 0, 200}, kNoBox, Solid::kNot, MoveType::kFly);
   gib.set(field::kVelocity, {1e9f, std::nanf(""), -1e9f});
   world.tick();
-  EXPECT_NEAR(gib[field::kOrigin].x, 2000 * kTick, 0.01);
-  EXPECT_NEAR(gib[field::kOrigin].z, 200 - 2000 * kTick, 0.01);
+  EXPECT_NEAR(gib[field::kOrigin].x, 2000 * kThrownTick, 0.01);
+  EXPECT_NEAR(gib[field::kOrigin].z, 200 - 2000 * kThrownTick, 0.01);
   EXPECT_EQ(gib[field::kVelocity].y, 0);
 }
 
 TEST(Thrown, SplashesWhereItMeetsTheBottomOfWaterAndNotBefore) {
   TestWorld world(flooded_hall_text(200));
-  const Edict gib = world.spawn({0, 0, 300}, kCube, Solid::kNot, MoveType::kToss);
+  const Edict gib = world.spawn({0, 0, 300}, kThrownCube, Solid::kNot, MoveType::kToss);
   gib.set(field::kWaterType, -1);
   world.tick(45);
   EXPECT_THAT(world.world.sounds, IsEmpty());
@@ -176,7 +176,7 @@ TEST(Monster, FallsThinksAndLandsWithASound) {
 
 TEST(Monster, SplashesOnItsWayInAndOut) {
   TestWorld world(flooded_hall_text(200));
-  const Edict fish = world.spawn({0, 0, 100}, kCube, Solid::kSlideBox, MoveType::kStep);
+  const Edict fish = world.spawn({0, 0, 100}, kThrownCube, Solid::kSlideBox, MoveType::kStep);
   fish.set_flag(flag::kSwim);
   world.tick();
   EXPECT_THAT(world.world.sounds, IsEmpty());
@@ -194,9 +194,9 @@ TEST(Monster, SplashesOnItsWayInAndOut) {
 TEST(Ghost, GoesThroughEverythingAndTouchesNothing) {
   TestWorld world(hall_text());
   const vm::FunctionIndex touch = world.calls.add();
-  const Edict trigger = world.spawn({100, 0, 100}, kCube, Solid::kTrigger, MoveType::kNone);
+  const Edict trigger = world.spawn({100, 0, 100}, kThrownCube, Solid::kTrigger, MoveType::kNone);
   trigger.set(field::kTouch, touch);
-  const Edict ghost = world.spawn({0, 0, 100}, kCube, Solid::kSlideBox, MoveType::kNoClip);
+  const Edict ghost = world.spawn({0, 0, 100}, kThrownCube, Solid::kSlideBox, MoveType::kNoClip);
   ghost.set(field::kVelocity, {1000, 0, 0});
   ghost.set(field::kAngularVelocity, {0, 0, 90});
   world.tick(72);
@@ -208,8 +208,8 @@ TEST(Ghost, GoesThroughEverythingAndTouchesNothing) {
 
 TEST(Follower, KeepsItsPlaceBesideWhomItFollows) {
   TestWorld world(hall_text());
-  const Edict carrier = world.spawn({0, 0, 100}, kCube, Solid::kBox, MoveType::kFly);
-  const Edict follower = world.spawn({0, 0, 0}, kCube, Solid::kNot, MoveType::kFollow);
+  const Edict carrier = world.spawn({0, 0, 100}, kThrownCube, Solid::kBox, MoveType::kFly);
+  const Edict follower = world.spawn({0, 0, 0}, kThrownCube, Solid::kNot, MoveType::kFollow);
   follower.set(field::kAimEntity, carrier.index());
   follower.set(field::kViewOffset, {20, 0, 5});
   carrier.set(field::kVelocity, {72, 0, 0});

@@ -45,7 +45,7 @@ Surroundings surroundings(const IsSolid& is_solid, const math::Vec3& point) {
   return result;
 }
 
-struct Counts {
+struct TraceCounts {
   int stopped = 0, free = 0, started_solid = 0;
   int stepped_back = 0;  // ended earlier than samples ask for
   int short_gaps = 0;    // ended closer to what stopped them than the gap
@@ -54,7 +54,7 @@ struct Counts {
 // Checks what samples prove: the trace has passed no point that lies deep in solid, and has stopped no
 // earlier than the first point that is close to solid.
 void expect_path_as_sampled(const Trace& trace, const IsSolid& is_solid, const math::Vec3& start,
-                            const math::Vec3& end, Counts& io_counts) {
+                            const math::Vec3& end, TraceCounts& io_counts) {
   const float length = glm::distance(start, end);
   const int steps = static_cast<int>(length / kSampleUnits) + 1;
   const auto at = [&](int step) {
@@ -93,7 +93,7 @@ void expect_path_as_sampled(const Trace& trace, const IsSolid& is_solid, const m
 
 // What holds of every trace that has stopped: the end lies on the path, the gap before the plane it names.
 void expect_stop_is_consistent(const Trace& trace, const math::Vec3& start, const math::Vec3& end,
-                               Counts& io_counts) {
+                               TraceCounts& io_counts) {
   const math::Vec3 expected = start + (end - start) * trace.fraction;
   EXPECT_LT(glm::distance(trace.end, expected), 0.01f);
   if (trace.fraction == 1) {
@@ -118,9 +118,9 @@ math::Vec3 random_point(const math::Bounds& bounds, test::Random& random) {
   return point;
 }
 
-Counts check_random_traces(const TestLevel& test, std::size_t model, Hull hull, const IsSolid& is_solid,
-                           test::Random& random, int traces) {
-  Counts counts;
+TraceCounts check_random_traces(const TestLevel& test, std::size_t model, Hull hull, const IsSolid& is_solid,
+                                test::Random& random, int traces) {
+  TraceCounts counts;
   const math::Bounds bounds{test.bsp.models[model].mins - 48.0f, test.bsp.models[model].maxs + 48.0f};
   for (int i = 0; i < traces; ++i) {
     const math::Vec3 start = random_point(bounds, random);
@@ -155,7 +155,7 @@ TEST(TraceLine, ThroughTheSmallLevelStopsWhereItsPlanIsSolid) {
   for (const Hull hull : {Hull::kPoint, Hull::kPlayer, Hull::kLarge}) {
     const IsSolid& is_solid = in_solid[static_cast<std::size_t>(hull)];
     const int traces = hull == Hull::kPoint ? test::effort(2000, 100) : test::effort(200, 60);
-    const Counts counts = check_random_traces(test, 0, hull, is_solid, random, traces);
+    const TraceCounts counts = check_random_traces(test, 0, hull, is_solid, random, traces);
     EXPECT_EQ(counts.stepped_back, 0);
     EXPECT_GT(counts.stopped, traces / 20);
     EXPECT_GT(counts.started_solid, traces / 20);
@@ -175,7 +175,7 @@ TEST(TraceLine, AgainstADoorStopsAtItsBoxGrownByTheHulls) {
       return true;
     };
     const int traces = test::effort(2000, 200);
-    const Counts counts = check_random_traces(test, 1, hull, is_solid, random, traces);
+    const TraceCounts counts = check_random_traces(test, 1, hull, is_solid, random, traces);
     EXPECT_EQ(counts.stepped_back, 0);
     EXPECT_GT(counts.stopped, traces / 50);
     EXPECT_GT(counts.free, traces / 50);
@@ -186,7 +186,7 @@ TEST(TraceLine, ThroughStockLevelsStopsWhereTheirTreesAreSolid) {
   DATA_FOLDER_OR_SKIP(base_folder);
   constexpr std::int32_t kSolid = -2;
   test::Random random(23);
-  Counts total;
+  TraceCounts total;
   int traces = 0;
   for (const TestLevel& test : stock_levels(base_folder)) {
     for (const Hull hull : {Hull::kPoint, Hull::kPlayer, Hull::kLarge}) {
@@ -195,7 +195,7 @@ TEST(TraceLine, ThroughStockLevelsStopsWhereTheirTreesAreSolid) {
           return naive_contents(test.bsp, model, static_cast<std::size_t>(hull), to_point(p)) == kSolid;
         };
         const int count = test::effort(40, 10);
-        const Counts counts = check_random_traces(test, model, hull, is_solid, random, count);
+        const TraceCounts counts = check_random_traces(test, model, hull, is_solid, random, count);
         traces += count;
         total.stopped += counts.stopped;
         total.free += counts.free;

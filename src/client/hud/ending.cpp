@@ -10,23 +10,23 @@ namespace temblor::client {
 namespace {
 
 // Beside the words of gfx/inter.lmp.
-constexpr int kFirstX = 160, kTimeY = 64, kSecretsY = 104, kKillsY = 144;
-constexpr int kDigits = 3, kDigitWidth = 24;
+constexpr int kNumbersX = 160, kTimeY = 64, kSecretsY = 104, kKillsY = 144;
+constexpr int kNumberDigits = 3, kDigitWidth = 24;
 
 void draw_time(const Panel& screen, double time_s) {
-  constexpr int kColonX = kFirstX + kDigits * kDigitWidth, kSecondsX = kColonX + 16;
+  constexpr int kColonX = kNumbersX + kNumberDigits * kDigitWidth, kSecondsX = kColonX + 16;
   const int seconds = static_cast<int>(std::clamp(time_s, 0.0, 59999.0));
-  screen.number(seconds / 60, kDigits, false, kFirstX, kTimeY);
+  screen.number(seconds / 60, kNumberDigits, false, kNumbersX, kTimeY);
   screen.picture("num_colon", kColonX, kTimeY);
   screen.number(seconds % 60 / 10, 1, false, kSecondsX, kTimeY);
   screen.number(seconds % 10, 1, false, kSecondsX + kDigitWidth, kTimeY);
 }
 
 void draw_share(const Panel& screen, int part, int whole, int y) {
-  constexpr int kSlashX = kFirstX + kDigits * kDigitWidth, kWholeX = kSlashX + 16;
-  screen.number(part, kDigits, false, kFirstX, y);
+  constexpr int kSlashX = kNumbersX + kNumberDigits * kDigitWidth, kWholeX = kSlashX + 16;
+  screen.number(part, kNumberDigits, false, kNumbersX, y);
   screen.picture("num_slash", kSlashX, y);
-  screen.number(whole, kDigits, false, kWholeX, y);
+  screen.number(whole, kNumberDigits, false, kWholeX, y);
 }
 
 }  // namespace

@@ -47,12 +47,12 @@ std::uint8_t shade_of(std::uint8_t colour) {
   return static_cast<std::uint8_t>((colour & 15) * kRow + kMiddle);
 }
 
-struct Box {
+struct ScoreBox {
   int x, y, width, height;
 };
 
 // Shirt over pants, and the frags on them.
-void draw_frags(const Panel& panel, const Player& player, const Box& box) {
+void draw_frags(const Panel& panel, const Player& player, const ScoreBox& box) {
   const int upper = (box.height + 1) / 2;
   panel.fill(box.x, box.y, box.width, upper, shade_of(player.shirt));
   panel.fill(box.x, box.y + upper, box.width, box.height - upper, shade_of(player.pants));

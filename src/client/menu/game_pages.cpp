@@ -15,10 +15,6 @@ namespace {
 
 constexpr std::string_view kSkills[] = {"easy", "normal", "hard", "nightmare"};
 
-void add_row(Page& io_page, std::unique_ptr<Row> row) {
-  if (row) io_page.rows.push_back(std::move(row));
-}
-
 Outcome single_player_in(const PageContext& context, const std::string& level) {
   return unless_lost(
       context, "Begin another one all the same?",
@@ -108,7 +104,7 @@ Outcome new_game(const PageContext& context) {
 Page make_new_game_page(const PageContext& context) {
   Page page;
   page.title = "New game";
-  add_row(page, make_skill_row(context));
+  page.add(make_skill_row(context));
   page.rows.push_back(std::make_unique<HeadingRow>("Begin with"));
   page.first_choice = page.rows.size();
   for (const MenuEpisode& episode : asked(context.content.episodes))
@@ -124,7 +120,7 @@ Page make_levels_page(const PageContext& context) {
   page.style = PageStyle::kDetails;
   page.searched = true;
   page.nothing = "No levels were found.";
-  add_row(page, make_skill_row(context));
+  page.add(make_skill_row(context));
   page.first_choice = page.rows.size();
   for (const MenuLevel& level : asked(context.content.levels))
     if (!level.name.empty())

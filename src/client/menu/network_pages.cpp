@@ -18,7 +18,7 @@ constexpr int kMostPlayers = 16, kFewestPlayers = 2;
 constexpr int kDeathmatch = 0;
 
 // Rows of the palette that a player's clothes are drawn in.
-constexpr int kPaletteRow = 16, kShirtRow = 1, kPantsRow = 6;
+constexpr int kRowShades = 16, kShirtRow = 1, kPantsRow = 6;
 
 constexpr std::string_view kShirt = "topcolor", kPants = "bottomcolor";
 
@@ -30,13 +30,9 @@ int row_of(const command::Variables& variables, std::string_view name, int other
 // The same shade of another row. From the eighth on they run from bright to dark.
 std::uint8_t in_row(int row, std::uint8_t pixel) {
   constexpr int kFirstReversed = 8;
-  const int shade = pixel % kPaletteRow;
-  return static_cast<std::uint8_t>(row * kPaletteRow +
-                                   (row < kFirstReversed ? shade : kPaletteRow - 1 - shade));
-}
-
-void add_row(Page& io_page, std::unique_ptr<Row> row) {
-  if (row) io_page.rows.push_back(std::move(row));
+  const int shade = pixel % kRowShades;
+  return static_cast<std::uint8_t>(row * kRowShades +
+                                   (row < kFirstReversed ? shade : kRowShades - 1 - shade));
 }
 
 Outcome connect(const PageContext& context, const std::string& address) {
@@ -169,9 +165,9 @@ std::function<const formats::Picture*()> figure_in_colours(const PageContext& co
     const int shirt = row_of(variables, kShirt, kShirtRow), pants = row_of(variables, kPants, kPantsRow);
     *dressed = *plain;
     for (std::uint8_t& pixel : dressed->pixels)
-      if (pixel / kPaletteRow == kShirtRow)
+      if (pixel / kRowShades == kShirtRow)
         pixel = in_row(shirt, pixel);
-      else if (pixel / kPaletteRow == kPantsRow)
+      else if (pixel / kRowShades == kPantsRow)
         pixel = in_row(pants, pixel);
     return dressed.get();
   };
@@ -240,30 +236,27 @@ Page make_host_page(const PageContext& context) {
   page.rows.push_back(make_players_row(chosen));
   if (chosen.mode == kDeathmatch) {
     static constexpr std::string_view kTeams[] = {"off", "no friendly fire", "friendly fire"};
-    add_row(page,
-            make_option_row(
-                context.variables,
-                {.variable = "fraglimit", .label = "Frag limit", .high = 100, .step = 5, .zero = "none"}));
-    add_row(page, make_option_row(context.variables, {.variable = "timelimit",
-                                                      .label = "Time limit",
-                                                      .high = 60,
-                                                      .step = 5,
-                                                      .unit = "min",
-                                                      .zero = "none"}));
-    add_row(page,
-            make_option_row(context.variables, {.variable = "teamplay", .label = "Teams", .names = kTeams}));
-    add_row(page,
-            make_option_row(
-                context.variables,
-                {.variable = "bot_fill", .label = "Bots fill up to", .high = 8, .step = 1, .zero = "none"}));
+    page.add(make_option_row(
+        context.variables,
+        {.variable = "fraglimit", .label = "Frag limit", .high = 100, .step = 5, .zero = "none"}));
+    page.add(make_option_row(context.variables, {.variable = "timelimit",
+                                                 .label = "Time limit",
+                                                 .high = 60,
+                                                 .step = 5,
+                                                 .unit = "min",
+                                                 .zero = "none"}));
+    page.add(make_option_row(context.variables, {.variable = "teamplay", .label = "Teams", .names = kTeams}));
+    page.add(make_option_row(
+        context.variables,
+        {.variable = "bot_fill", .label = "Bots fill up to", .high = 8, .step = 1, .zero = "none"}));
     static constexpr std::string_view kBotSkills[] = {"beginners", "fair", "good", "hard"};
-    add_row(page, make_option_row(context.variables,
-                                  {.variable = "bot_skill", .label = "Bots' skill", .names = kBotSkills}));
+    page.add(make_option_row(context.variables,
+                             {.variable = "bot_skill", .label = "Bots' skill", .names = kBotSkills}));
   } else {
-    add_row(page, make_skill_row(context));
+    page.add(make_skill_row(context));
   }
-  add_row(page, make_option_row(context.variables, {.variable = "hostname", .label = "Server's name"}));
-  add_row(page, make_port_row(context.variables));
+  page.add(make_option_row(context.variables, {.variable = "hostname", .label = "Server's name"}));
+  page.add(make_port_row(context.variables));
   return page;
 }
 
@@ -271,9 +264,9 @@ Page make_player_page(const PageContext& context) {
   Page page;
   page.title = "Player";
   page.nothing = "There is nothing to set.";
-  add_row(page, make_option_row(context.variables, {.variable = "name", .label = "Name"}));
-  add_row(page, make_colour_row(context.variables, {.variable = kShirt, .label = "Shirt"}));
-  add_row(page, make_colour_row(context.variables, {.variable = kPants, .label = "Pants"}));
+  page.add(make_option_row(context.variables, {.variable = "name", .label = "Name"}));
+  page.add(make_colour_row(context.variables, {.variable = kShirt, .label = "Shirt"}));
+  page.add(make_colour_row(context.variables, {.variable = kPants, .label = "Pants"}));
   page.picture = figure_in_colours(context);
   return page;
 }

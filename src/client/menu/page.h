@@ -32,6 +32,10 @@ struct Page {
   std::size_t first_choice = 0;  // the row that is selected when it opens
   // Stands below the rows, where there is room; must live until it is asked for again.
   std::function<const formats::Picture*()> picture;
+
+  void add(std::unique_ptr<Row> row) {  // null: none
+    if (row) rows.push_back(std::move(row));
+  }
 };
 
 // What players have chosen and not yet carried out: kept while the program runs.

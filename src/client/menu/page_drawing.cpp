@@ -17,7 +17,7 @@ constexpr int kCursor = 2 * kCharacterSide;  // left of a row
 constexpr int kScrollBar = 8;                // right of it
 constexpr int kMargin = 8, kGap = 4;
 constexpr int kHelpLines = 3;
-constexpr std::uint8_t kBlack = 0, kLight = 15;  // of the palette's first row, which is grey
+constexpr std::uint8_t kTrackGrey = 15;  // of the palette's first row, which is grey
 
 constexpr int kLargeChars = 13;  // of the longest label on a large page
 constexpr int kLargeWidth = kLargeChars * 2 * kCharacterSide;
@@ -193,8 +193,8 @@ void PageView::draw_scroll_bar(const Canvas& canvas, const Box& beside) {
                             std::min(kShortest, track.height), track.height);
   thumb.y += static_cast<int>(static_cast<double>(track.height - thumb.height) * static_cast<double>(first_) /
                               static_cast<double>(last_first()));
-  canvas.fill(track, kLight, kFaint);
-  canvas.fill(thumb, kLight, kStrong);
+  canvas.fill(track, kTrackGrey, kFaint);
+  canvas.fill(thumb, kTrackGrey, kStrong);
   scroll_bar_ = canvas.to_frame({beside.right(), track.y, kScrollBar, track.height});
 }
 

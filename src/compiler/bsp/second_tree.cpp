@@ -6,7 +6,7 @@
 namespace temblor::compiler {
 namespace {
 
-bool overlap(const Box& a, const Box& b) {
+bool touch(const Box& a, const Box& b) {
   return glm::all(glm::lessThanEqual(a.mins - kOnPlane, b.maxs)) &&
          glm::all(glm::lessThanEqual(b.mins - kOnPlane, a.maxs));
 }
@@ -34,7 +34,7 @@ std::vector<Brush> only_bounding(const Tree& tree, std::span<const LeafPortal> p
     for (const TreeLeaf* leaf : {&front, &back})
       for (const std::uint32_t brush : leaf->brushes)
         for (std::size_t i = 0; i < kept[brush].sides.size(); ++i) {
-          if (stored(kept[brush].sides[i].plane) != plane || !overlap(side_boxes[brush][i], box)) continue;
+          if (stored(kept[brush].sides[i].plane) != plane || !touch(side_boxes[brush][i], box)) continue;
           kept[brush].sides[i].splits = true;
           found = true;
         }

@@ -9,7 +9,7 @@
 namespace temblor::compiler {
 namespace {
 
-constexpr int kRays = 48;
+constexpr int kDirtRays = 48;
 
 }  // namespace
 
@@ -24,8 +24,8 @@ std::vector<float> dirt_at(const RayScene& scene, std::span<const math::Vec3> pl
   std::vector<math::Vec3> directions(places.size());
   std::vector<RayHit> hits(places.size());
   // One direction for all places at a time: on a flat face such rays run side by side.
-  for (int ray = 0; ray < kRays; ++ray) {
-    const math::Vec3 direction = cap_direction(ray, kRays, cos_edge);
+  for (int ray = 0; ray < kDirtRays; ++ray) {
+    const math::Vec3 direction = cap_direction(ray, kDirtRays, cos_edge);
     for (std::size_t i = 0; i < places.size(); ++i) directions[i] = in_frame(frames[i], direction);
     scene.nearest(places, directions, settings.depth, hits);
     for (std::size_t i = 0; i < places.size(); ++i) open[i] += std::min(hits[i].distance, settings.depth);
@@ -33,7 +33,7 @@ std::vector<float> dirt_at(const RayScene& scene, std::span<const math::Vec3> pl
   std::vector<float> left;
   left.reserve(places.size());
   for (const float sum : open) {
-    const float occluded = std::max(0.0f, 1 - sum / (static_cast<float>(kRays) * settings.depth));
+    const float occluded = std::max(0.0f, 1 - sum / (static_cast<float>(kDirtRays) * settings.depth));
     left.push_back(1 - std::min(1.0f, settings.scale * std::min(1.0f, std::pow(occluded, settings.gain))));
   }
   return left;

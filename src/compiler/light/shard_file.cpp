@@ -10,7 +10,7 @@
 namespace temblor::compiler {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x48534c54, kVersion = 2;
+constexpr std::uint32_t kShardMagic = 0x48534c54, kShardVersion = 2;
 
 void write_layer(const LightLayer& layer, base::ByteWriter& io_writer) {
   io_writer.u8(layer.style);
@@ -65,9 +65,10 @@ base::Result<ShardHeader> read_header(base::ByteReader& io_reader) {
   header.level = io_reader.read<std::uint64_t>();
   header.index = io_reader.u32();
   header.count = io_reader.u32();
-  if (!io_reader.ok() || magic != kMagic) return base::malformed("not a light shard");
-  if (version != kVersion)
-    return base::error(base::ErrorCode::kUnsupported, "light shard of version {}, not {}", version, kVersion);
+  if (!io_reader.ok() || magic != kShardMagic) return base::malformed("not a light shard");
+  if (version != kShardVersion)
+    return base::error(base::ErrorCode::kUnsupported, "light shard of version {}, not {}", version,
+                       kShardVersion);
   if (header.count == 0 || header.index >= header.count)
     return base::malformed("light shard {} of {}", header.index, header.count);
   return header;
@@ -92,8 +93,8 @@ std::vector<std::uint32_t> share_of(const ShardHeader& shard, std::size_t total)
 
 base::ByteVector write_shard(const ShardHeader& header, const LightWork& work) {
   base::ByteWriter writer;
-  writer.u32(kMagic);
-  writer.u32(kVersion);
+  writer.u32(kShardMagic);
+  writer.u32(kShardVersion);
   writer.write(header.level);
   writer.u32(header.index);
   writer.u32(header.count);

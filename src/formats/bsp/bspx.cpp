@@ -4,8 +4,8 @@ namespace temblor::formats::bsp_file {
 namespace {
 
 constexpr std::string_view kMark = "BSPX";
-constexpr std::size_t kNameBytes = 24;
-constexpr std::size_t kEntryBytes = kNameBytes + 8;
+constexpr std::size_t kLumpNameBytes = 24;
+constexpr std::size_t kEntryBytes = kLumpNameBytes + 8;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ base::Result<std::vector<BspxLump>> read_bspx(base::Bytes file, std::size_t lump
 
   std::uint64_t total = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
-    std::string name = reader.fixed_text(kNameBytes);
+    std::string name = reader.fixed_text(kLumpNameBytes);
     const std::uint32_t offset = reader.u32(), size = reader.u32();
     total += size;
     if (std::uint64_t{offset} + size > file.size())
@@ -41,10 +41,10 @@ base::Status write_bspx(base::ByteWriter& writer, const std::vector<BspxLump>& l
   writer.u32(static_cast<std::uint32_t>(lumps.size()));
   std::size_t offset = writer.size() + lumps.size() * kEntryBytes;
   for (const BspxLump& lump : lumps) {
-    if (lump.name.size() > kNameBytes)
+    if (lump.name.size() > kLumpNameBytes)
       return error(base::ErrorCode::kTooLarge, "BSPX: the name \"{}\" is longer than {} characters",
-                   lump.name, kNameBytes);
-    writer.fixed_text(lump.name, kNameBytes);
+                   lump.name, kLumpNameBytes);
+    writer.fixed_text(lump.name, kLumpNameBytes);
     writer.u32(static_cast<std::uint32_t>(offset));
     writer.u32(static_cast<std::uint32_t>(lump.data.size()));
     offset += (lump.data.size() + 3) / 4 * 4;

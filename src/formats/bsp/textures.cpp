@@ -8,8 +8,8 @@
 namespace temblor::formats::bsp_file {
 namespace {
 
-constexpr std::size_t kNameBytes = 16;
-constexpr std::size_t kTextureHeaderBytes = kNameBytes + 6 * 4;
+constexpr std::size_t kMiptexNameBytes = 16;
+constexpr std::size_t kTextureHeaderBytes = kMiptexNameBytes + 6 * 4;
 constexpr std::int32_t kNotPresent = -1;
 
 bool is_texture_size(std::uint32_t size) {
@@ -26,7 +26,7 @@ base::Result<BspMiptex> read_texture(base::Bytes lump, std::size_t offset, std::
   reader.seek(offset);
   BspMiptex texture;
   texture.present = true;
-  texture.name = reader.fixed_text(kNameBytes).substr(0, kNameBytes - 1);
+  texture.name = reader.fixed_text(kMiptexNameBytes).substr(0, kMiptexNameBytes - 1);
   texture.width = reader.u32();
   texture.height = reader.u32();
   std::array<std::uint32_t, 4> mip_offsets{};
@@ -52,10 +52,10 @@ base::Result<BspMiptex> read_texture(base::Bytes lump, std::size_t offset, std::
 }
 
 base::Status write_texture(base::ByteWriter& writer, const BspMiptex& texture) {
-  if (texture.name.size() >= kNameBytes)
+  if (texture.name.size() >= kMiptexNameBytes)
     return error(base::ErrorCode::kTooLarge, "its name \"{}\" is longer than {} characters", texture.name,
-                 kNameBytes - 1);
-  writer.fixed_text(texture.name, kNameBytes);
+                 kMiptexNameBytes - 1);
+  writer.fixed_text(texture.name, kMiptexNameBytes);
   writer.u32(texture.width);
   writer.u32(texture.height);
   const bool outside = std::ranges::all_of(texture.mips, [](const auto& mip) { return mip.empty(); });

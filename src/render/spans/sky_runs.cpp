@@ -12,10 +12,6 @@ namespace {
 // As the original has them, for layers of 128 texels.
 constexpr double kBackScroll_texels_s = 8, kCloudScroll_texels_s = 16, kSkyTexels = 378, kStockLayer = 128;
 
-void copy_vector(const math::Vec3d& from, double (&out)[3]) {
-  for (int axis = 0; axis < 3; ++axis) out[axis] = from[axis];
-}
-
 SkyRuns make_layers(const world::Texture& texture, const ViewFrame& view, double time_s,
                     const ColourTables& tables, PixelFormat format, base::Arena& arena) {
   SkyRuns sky{};
@@ -49,10 +45,7 @@ SkyRuns make_layers(const world::Texture& texture, const ViewFrame& view, double
   sky.back_s = scrolled(kBackScroll_texels_s, sky.width);
   sky.back_t = scrolled(kBackScroll_texels_s, sky.height);
 
-  const SkyRays rays = sky_rays(view);
-  copy_vector(rays.forward, sky.forward);
-  copy_vector(rays.right, sky.right);
-  copy_vector(rays.down, sky.down);
+  set_rays(sky_rays(view), sky);
   return sky;
 }
 

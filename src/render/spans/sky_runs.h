@@ -15,6 +15,16 @@ struct SkyRays {
 };
 SkyRays sky_rays(const ViewFrame& view);
 
+// For what kernels read of them: SkyRuns or SkyboxRuns.
+template <typename Runs>
+void set_rays(const SkyRays& rays, Runs& io_runs) {
+  for (int axis = 0; axis < 3; ++axis) {
+    io_runs.forward[axis] = rays.forward[axis];
+    io_runs.right[axis] = rays.right[axis];
+    io_runs.down[axis] = rays.down[axis];
+  }
+}
+
 // For every sky item, all that its spans need but the spans and their depth; by item number, null for others.
 // Memory comes from `arena`.
 std::span<const SkyRuns*> prepare_sky_runs(const Scene& scene, const ViewFrame& view, const DrawItems& items,

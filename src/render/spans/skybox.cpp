@@ -107,10 +107,6 @@ void make_side(const Sides& sides, std::size_t side, std::int32_t size, std::uin
   fill_corners(size, out_side);
 }
 
-void copy_vector(const math::Vec3d& from, double (&out)[3]) {
-  for (int axis = 0; axis < 3; ++axis) out[axis] = from[axis];
-}
-
 }  // namespace
 
 void PreparedSkybox::follow(const Skybox& skybox, const Fog& fog, const ColourTables& tables,
@@ -138,10 +134,7 @@ void PreparedSkybox::follow(const Skybox& skybox, const Fog& fog, const ColourTa
 
 SkyboxRuns PreparedSkybox::runs(const ViewFrame& view) const {
   SkyboxRuns runs{};
-  const SkyRays rays = sky_rays(view);
-  copy_vector(rays.forward, runs.forward);
-  copy_vector(rays.right, runs.right);
-  copy_vector(rays.down, runs.down);
+  set_rays(sky_rays(view), runs);
   runs.texels = indexed_.empty() ? static_cast<const void*>(rgb_.data()) : indexed_.data();
   runs.size = size_;
   return runs;

@@ -117,14 +117,13 @@ base::Status aim(Call& io_call) {
   return base::Ok{};
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {17, "checkclient", checkclient},
-    {44, "aim", aim},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> aiming_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {17, "checkclient", checkclient},
+      {44, "aim", aim},
+  };
   return kEntries;
 }
 

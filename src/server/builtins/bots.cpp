@@ -27,15 +27,14 @@ base::Status clienttype(Call& io_call) {
   return base::Ok{};
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {453, "dropclient", dropclient},
-    {454, "spawnclient", spawnclient},
-    {455, "clienttype", clienttype},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> bot_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {453, "dropclient", dropclient},
+      {454, "spawnclient", spawnclient},
+      {455, "clienttype", clienttype},
+  };
   return kEntries;
 }
 

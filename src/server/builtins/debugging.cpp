@@ -71,15 +71,14 @@ base::Status traceoff(Call& io_call) {
   return base::Ok{};
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {6, "break", break_here},   {10, "error", error},     {11, "objerror", objerror},
-    {28, "coredump", coredump}, {29, "traceon", traceon}, {30, "traceoff", traceoff},
-    {31, "eprint", eprint},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> debugging_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {6, "break", break_here},   {10, "error", error},     {11, "objerror", objerror},
+      {28, "coredump", coredump}, {29, "traceon", traceon}, {30, "traceoff", traceoff},
+      {31, "eprint", eprint},
+  };
   return kEntries;
 }
 

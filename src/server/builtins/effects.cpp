@@ -82,16 +82,15 @@ base::Status lightstyle(Call& io_call) {
   return base::Ok{};
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {8, "sound", sound},
-    {35, "lightstyle", lightstyle},
-    {48, "particle", particle},
-    {74, "ambientsound", ambientsound},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> effect_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {8, "sound", sound},
+      {35, "lightstyle", lightstyle},
+      {48, "particle", particle},
+      {74, "ambientsound", ambientsound},
+  };
   return kEntries;
 }
 

@@ -109,16 +109,15 @@ base::Status copyentity(Call& io_call) {
   return linked(io_call, to);
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {2, "setorigin", setorigin},     {3, "setmodel", setmodel},
-    {4, "setsize", setsize},         {14, "spawn", spawn},
-    {15, "remove", remove_entity},   {69, "makestatic", makestatic},
-    {400, "copyentity", copyentity},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> entity_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {2, "setorigin", setorigin},     {3, "setmodel", setmodel},
+      {4, "setsize", setsize},         {14, "spawn", spawn},
+      {15, "remove", remove_entity},   {69, "makestatic", makestatic},
+      {400, "copyentity", copyentity},
+  };
   return kEntries;
 }
 

@@ -52,14 +52,13 @@ base::Status whichpack(Call& io_call) {
   return io_call.return_text(io_call.game.pack_of ? io_call.game.pack_of(io_call.text(0)) : std::string());
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {110, "fopen", fopen}, {111, "fclose", fclose},       {112, "fgets", fgets},
-    {113, "fputs", fputs}, {503, "whichpack", whichpack},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> file_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {110, "fopen", fopen}, {111, "fclose", fclose},       {112, "fgets", fgets},
+      {113, "fputs", fputs}, {503, "whichpack", whichpack},
+  };
   return kEntries;
 }
 

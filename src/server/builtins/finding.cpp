@@ -94,19 +94,18 @@ base::Status nextent(Call& io_call) {
   return base::Ok{};
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {18, "find", find},
-    {22, "findradius", findradius},
-    {47, "nextent", nextent},
-    {98, "findfloat", findfloat},
-    {402, "findchain", findchain},
-    {403, "findchainfloat", findchainfloat},
-    {449, "findflags", findflags},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> finding_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {18, "find", find},
+      {22, "findradius", findradius},
+      {47, "nextent", nextent},
+      {98, "findfloat", findfloat},
+      {402, "findchain", findchain},
+      {403, "findchainfloat", findchainfloat},
+      {449, "findflags", findflags},
+  };
   return kEntries;
 }
 

@@ -27,15 +27,14 @@ base::Status checkextension(Call& io_call) {
   return base::Ok{};
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {70, "changelevel", changelevel},
-    {78, "setspawnparms", setspawnparms},
-    {99, "checkextension", checkextension},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> level_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {70, "changelevel", changelevel},
+      {78, "setspawnparms", setspawnparms},
+      {99, "checkextension", checkextension},
+  };
   return kEntries;
 }
 

@@ -35,15 +35,14 @@ base::Status movetogoal(Call& io_call) {
   return move_to_goal(io_call.world, io_call.self(), io_call.number(0), io_call.game.random);
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {32, "walkmove", walkmove},       {34, "droptofloor", droptofloor},
-    {40, "checkbottom", checkbottom}, {49, "ChangeYaw", change_yaw_of_self},
-    {67, "movetogoal", movetogoal},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> movement_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {32, "walkmove", walkmove},       {34, "droptofloor", droptofloor},
+      {40, "checkbottom", checkbottom}, {49, "ChangeYaw", change_yaw_of_self},
+      {67, "movetogoal", movetogoal},
+  };
   return kEntries;
 }
 

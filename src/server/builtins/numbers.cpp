@@ -67,15 +67,14 @@ base::Status bound(Call& io_call) {
   return returned(io_call, std::fmax(low, std::fmin(value, high)));
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {7, "random", random}, {36, "rint", rint}, {37, "floor", floor}, {38, "ceil", ceil},
-    {43, "fabs", fabs},    {60, "sin", sin},   {61, "cos", cos},     {62, "sqrt", sqrt},
-    {94, "min", min},      {95, "max", max},   {96, "bound", bound}, {97, "pow", pow},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> number_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {7, "random", random}, {36, "rint", rint}, {37, "floor", floor}, {38, "ceil", ceil},
+      {43, "fabs", fabs},    {60, "sin", sin},   {61, "cos", cos},     {62, "sqrt", sqrt},
+      {94, "min", min},      {95, "max", max},   {96, "bound", bound}, {97, "pow", pow},
+  };
   return kEntries;
 }
 

@@ -67,15 +67,14 @@ base::Status precache_model(Call& io_call) {
 }
 
 // Those with a 2 told the original's shareware packer to leave a file out.
-constexpr BuiltinEntry kEntries[] = {
-    {19, "precache_sound", precache_sound},  {20, "precache_model", precache_model},
-    {68, "precache_file", precache_file},    {75, "precache_model2", precache_model},
-    {76, "precache_sound2", precache_sound}, {77, "precache_file2", precache_file},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> precache_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {19, "precache_sound", precache_sound},  {20, "precache_model", precache_model},
+      {68, "precache_file", precache_file},    {75, "precache_model2", precache_model},
+      {76, "precache_sound2", precache_sound}, {77, "precache_file2", precache_file},
+  };
   return kEntries;
 }
 

@@ -37,14 +37,13 @@ base::Status stuffcmd(Call& io_call) {
   return base::Ok{};
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {21, "stuffcmd", stuffcmd}, {23, "bprint", bprint},           {24, "sprint", sprint},
-    {25, "dprint", dprint},     {73, "centerprint", centerprint},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> printing_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {21, "stuffcmd", stuffcmd}, {23, "bprint", bprint},           {24, "sprint", sprint},
+      {25, "dprint", dprint},     {73, "centerprint", centerprint},
+  };
   return kEntries;
 }
 

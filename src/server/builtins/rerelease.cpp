@@ -73,16 +73,15 @@ base::Status none(Call& io_call) {
   return base::Ok{};
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {0, "ex_bprint", ex_bprint},           {0, "ex_sprint", ex_sprint},
-    {0, "ex_centerprint", ex_centerprint}, {0, "ex_localsound", ex_localsound},
-    {0, "ex_finaleFinished", none},        {0, "ex_CheckPlayerEXFlags", none},
-    {0, "ex_walkpathtogoal", none},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> rerelease_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {0, "ex_bprint", ex_bprint},           {0, "ex_sprint", ex_sprint},
+      {0, "ex_centerprint", ex_centerprint}, {0, "ex_localsound", ex_localsound},
+      {0, "ex_finaleFinished", none},        {0, "ex_CheckPlayerEXFlags", none},
+      {0, "ex_walkpathtogoal", none},
+  };
   return kEntries;
 }
 

@@ -105,25 +105,24 @@ base::Status argv(Call& io_call) {
   return io_call.return_text(is_there ? std::string_view(tokens[static_cast<std::size_t>(i)]) : "");
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {26, "ftos", ftos},
-    {27, "vtos", vtos},
-    {65, "etos", etos},
-    {81, "stof", stof},
-    {114, "strlen", strlen},
-    {115, "strcat", strcat},
-    {116, "substring", substring},
-    {117, "stov", stov},
-    {441, "tokenize", tokenize},
-    {442, "argv", argv},
-    {118, "strzone", strzone},
-    {119, "strunzone", strunzone},
-    {627, "sprintf", sprintf},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> text_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {26, "ftos", ftos},
+      {27, "vtos", vtos},
+      {65, "etos", etos},
+      {81, "stof", stof},
+      {114, "strlen", strlen},
+      {115, "strcat", strcat},
+      {116, "substring", substring},
+      {117, "stov", stov},
+      {441, "tokenize", tokenize},
+      {442, "argv", argv},
+      {118, "strzone", strzone},
+      {119, "strunzone", strunzone},
+      {627, "sprintf", sprintf},
+  };
   return kEntries;
 }
 

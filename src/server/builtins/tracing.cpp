@@ -56,15 +56,14 @@ base::Status pointcontents(Call& io_call) {
   return base::Ok{};
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {16, "traceline", traceline},
-    {41, "pointcontents", pointcontents},
-    {90, "tracebox", tracebox},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> tracing_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {16, "traceline", traceline},
+      {41, "pointcontents", pointcontents},
+      {90, "tracebox", tracebox},
+  };
   return kEntries;
 }
 

@@ -67,18 +67,17 @@ base::Status clientcommand(Call& io_call) {
   return base::Ok{};
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {45, "cvar", cvar},
-    {46, "localcmd", localcmd},
-    {72, "cvar_set", cvar_set},
-    {93, "registercvar", registercvar},
-    {440, "clientcommand", clientcommand},
-    {448, "cvar_string", cvar_string},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> variable_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {45, "cvar", cvar},
+      {46, "localcmd", localcmd},
+      {72, "cvar_set", cvar_set},
+      {93, "registercvar", registercvar},
+      {440, "clientcommand", clientcommand},
+      {448, "cvar_string", cvar_string},
+  };
   return kEntries;
 }
 

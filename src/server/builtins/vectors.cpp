@@ -65,14 +65,13 @@ base::Status randomvec(Call& io_call) {
   return base::Ok{};
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {1, "makevectors", makevectors}, {9, "normalize", normalize},      {12, "vlen", vlen},
-    {13, "vectoyaw", vectoyaw},      {51, "vectoangles", vectoangles}, {91, "randomvec", randomvec},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> vector_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {1, "makevectors", makevectors}, {9, "normalize", normalize},      {12, "vlen", vlen},
+      {13, "vectoyaw", vectoyaw},      {51, "vectoangles", vectoangles}, {91, "randomvec", randomvec},
+  };
   return kEntries;
 }
 

@@ -60,20 +60,19 @@ base::Status write_entity(Call& io_call) {
   return base::Ok{};
 }
 
-constexpr BuiltinEntry kEntries[] = {
-    {52, "WriteByte", write_whole<std::uint8_t>},
-    {53, "WriteChar", write_whole<std::int8_t>},
-    {54, "WriteShort", write_whole<std::int16_t>},
-    {55, "WriteLong", write_whole<std::int32_t>},
-    {56, "WriteCoord", write_coord},
-    {57, "WriteAngle", write_angle},
-    {58, "WriteString", write_string},
-    {59, "WriteEntity", write_entity},
-};
-
 }  // namespace
 
 std::span<const BuiltinEntry> writing_builtins() {
+  static constexpr BuiltinEntry kEntries[] = {
+      {52, "WriteByte", write_whole<std::uint8_t>},
+      {53, "WriteChar", write_whole<std::int8_t>},
+      {54, "WriteShort", write_whole<std::int16_t>},
+      {55, "WriteLong", write_whole<std::int32_t>},
+      {56, "WriteCoord", write_coord},
+      {57, "WriteAngle", write_angle},
+      {58, "WriteString", write_string},
+      {59, "WriteEntity", write_entity},
+  };
   return kEntries;
 }
 

@@ -1,0 +1,22 @@
+# Files compiled together: most of what a file costs to compile is what it reads, and a batch reads that once.
+# (`cmake -DTEMBLOR_BATCHES=OFF` compiles each by itself, for work on a few files.)
+option(TEMBLOR_BATCHES "Compile the files of large targets in batches" ON)
+set(kFilesABatch 14)
+
+# temblor_batches(TARGET [APART FILE...]), if there is such a target: its files may be compiled together, so that their
+# unnamed namespaces share no names, but for files APART. Kernel files, which highway reads once an instruction set, stay
+# by themselves.
+function(temblor_batches target)
+  if(NOT TARGET ${target})
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "" "APART" ${ARGN})
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "_vector\\.cpp$")
+  set_source_files_properties(${sources} ${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${TEMBLOR_BATCHES} UNITY_BUILD_BATCH_SIZE ${kFilesABatch})
+  if(TEMBLOR_BATCHES AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # To g++ a batch looks like a header, whose types other files could see differently.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
+endfunction()
