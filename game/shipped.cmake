@@ -18,11 +18,11 @@ if(NOT TEMBLOR_FTEQCC)
   return()
 endif()
 
-# Items whose models are levels of their own lie in every level.
-file(GLOB box_recipes CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/maps/b_*.recipe")
-foreach(recipe IN LISTS box_recipes)
+# A recording needs all levels: items whose models are levels of their own lie in each, and an exit leads on to another.
+file(GLOB level_recipes CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/maps/*.recipe")
+foreach(recipe IN LISTS level_recipes)
   get_filename_component(name "${recipe}" NAME_WE)
-  list(APPEND boxes "${shipped}/maps/${name}.bsp")
+  list(APPEND all_levels "${shipped}/maps/${name}.bsp")
 endforeach()
 
 # temblor_recording(LEVEL FILE [OPTION...]): the level as game/player plays it with these options. Who does not get to the
@@ -34,7 +34,7 @@ function(temblor_recording level file)
     OUTPUT "${file}"
     COMMAND "${CMAKE_COMMAND}" -E make_directory "${folder}"
     COMMAND bash -c "${play}" "$<TARGET_FILE:game_player>" "${CMAKE_CURRENT_BINARY_DIR}" "${file}" ${level} ${ARGN}
-    DEPENDS "${shipped}/maps/${level}.bsp" ${boxes} "${shipped}/progs.dat" "${art_made}" game_player
+    DEPENDS ${all_levels} "${shipped}/progs.dat" "${art_made}" game_player
     COMMENT "Recording of ${level}"
     VERBATIM)
 endfunction()
