@@ -64,7 +64,7 @@ Tone read_tone(Arguments& io_arguments, std::string_view name, Tone otherwise) {
 }
 
 Ink read_ink(Arguments& io_arguments) {
-  constexpr double kFar = 1000;
+  constexpr double kFarthest = 1000;
   Ink ink;
   ink.colour = read_tone(io_arguments, "colour", {});
   ink.to = read_tone(io_arguments, "to", ink.colour);
@@ -76,17 +76,17 @@ Ink read_ink(Arguments& io_arguments) {
   else if (blend != "down")
     io_arguments.complain(fmt::format("blend={} is none of down, across, out", base::quotable(blend)));
   ink.opacity = io_arguments.number("opacity", 1, 0, 1);
-  ink.raise = io_arguments.number("raise", 0, -kFar, kFar);
+  ink.raise = io_arguments.number("raise", 0, -kFarthest, kFarthest);
   ink.light = io_arguments.number("light", 0.35, 0, 2);
   ink.grain = io_arguments.number("grain", 0, 0, 2);
-  ink.lump = io_arguments.number("lump", 4, 0.2, kFar);
+  ink.lump = io_arguments.number("lump", 4, 0.2, kFarthest);
   ink.stain = read_tone_if_there(io_arguments, "stain", {});
   ink.stained = io_arguments.number("stained", 0.4, 0, 1);
-  ink.stain_lump = io_arguments.number("stain_lump", 6, 0.2, kFar);
+  ink.stain_lump = io_arguments.number("stain_lump", 6, 0.2, kFarthest);
   ink.edge = read_tone_if_there(io_arguments, "edge", {});
   ink.edge_width = io_arguments.number("edge_width", 1, 0, 64);
   ink.glow = read_tone_if_there(io_arguments, "glow", {});
-  ink.glow_reach = io_arguments.number("glow_reach", 4, 0.1, kFar);
+  ink.glow_reach = io_arguments.number("glow_reach", 4, 0.1, kFarthest);
   ink.glow_strength = io_arguments.number("glow_strength", 0.8, 0, 1);
   ink.shadow = io_arguments.number("shadow", 0, 0, 64);
   ink.holes = io_arguments.number("holes", 0, 0, 1);

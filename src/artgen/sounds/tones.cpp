@@ -13,7 +13,7 @@
 namespace temblor::artgen {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kWholeTurn = 2 * std::numbers::pi;
 
 enum class Shape { kSine, kTriangle, kSaw, kSquare };
 struct NamedShape {
@@ -50,7 +50,7 @@ double step_correction(double phase, double advance) {
 double shape_at(Shape shape, double phase, double advance, double width) {
   switch (shape) {
     case Shape::kSine:
-      return std::sin(kTurn * phase);
+      return std::sin(kWholeTurn * phase);
     case Shape::kTriangle:
       return 1 - 4 * std::abs(phase - 0.5);
     case Shape::kSaw:
@@ -91,7 +91,7 @@ void stray(Signal& io_hertz, const Straying& straying, const VoiceContext& conte
     const double smooth = part * part * (3 - 2 * part);
     const double turn = start + straying.vibrato_hz * static_cast<double>(i) / context.rate;
     io_hertz[i] *=
-        1 + straying.wander * (from + (to - from) * smooth) + straying.vibrato * std::sin(kTurn * turn);
+        1 + straying.wander * (from + (to - from) * smooth) + straying.vibrato * std::sin(kWholeTurn * turn);
   }
 }
 
@@ -142,7 +142,7 @@ Signal make_fm(Arguments& io_arguments, const VoiceContext& context) {
   Signal samples(hertz.size());
   double carrier = 0, modulator = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    samples[i] = std::sin(kTurn * carrier + depths[i] * std::sin(kTurn * modulator));
+    samples[i] = std::sin(kWholeTurn * carrier + depths[i] * std::sin(kWholeTurn * modulator));
     carrier += hertz[i] / context.rate;
     modulator += hertz[i] * ratios[i] / context.rate;
     carrier -= std::floor(carrier);

@@ -193,7 +193,7 @@ Cover cover_some(Layer& layer, const Surface& surface) {
   return cover;
 }
 
-constexpr std::array<ShapeWord, 11> kWords = {{
+constexpr std::array<ShapeWord, 11> kDrawnShapes = {{
     {"rect", cover_rect},
     {"disc", cover_disc},
     {"diamond", cover_diamond},
@@ -210,7 +210,7 @@ constexpr std::array<ShapeWord, 11> kWords = {{
 }  // namespace
 
 std::span<const ShapeWord> drawn_words() {
-  return kWords;
+  return kDrawnShapes;
 }
 
 }  // namespace temblor::artgen

@@ -180,7 +180,7 @@ Cover cover_hollows(Layer& layer, const Surface& surface) {
   return cover_bulges(layer, surface, -1);
 }
 
-constexpr std::array<ShapeWord, 8> kWords = {{
+constexpr std::array<ShapeWord, 8> kGrownShapes = {{
     {"patches", cover_patches},
     {"veins", cover_veins},
     {"runs", cover_runs},
@@ -194,7 +194,7 @@ constexpr std::array<ShapeWord, 8> kWords = {{
 }  // namespace
 
 std::span<const ShapeWord> grown_words() {
-  return kWords;
+  return kGrownShapes;
 }
 
 }  // namespace temblor::artgen

@@ -123,7 +123,7 @@ void paint_shift(Layer& layer, Surface& io_surface) {
     for (std::int32_t x = 0; x < io_surface.width; ++x) io_surface.at(x, y) = before.at(x - across, y - down);
 }
 
-constexpr std::array<LayerWord, 9> kWords = {{
+constexpr std::array<LayerWord, 9> kMaterialWords = {{
     {"fill", paint_fill},
     {"noise", paint_noise},
     {"bumps", paint_bumps},
@@ -138,7 +138,7 @@ constexpr std::array<LayerWord, 9> kWords = {{
 }  // namespace
 
 std::span<const LayerWord> material_words() {
-  return kWords;
+  return kMaterialWords;
 }
 
 }  // namespace temblor::artgen

@@ -70,7 +70,7 @@ void paint_halo(Layer& layer, Surface& io_surface) {
     }
 }
 
-constexpr std::array<LayerWord, 2> kWords = {{
+constexpr std::array<LayerWord, 2> kReliefWords = {{
     {"relief", paint_relief},
     {"halo", paint_halo},
 }};
@@ -78,7 +78,7 @@ constexpr std::array<LayerWord, 2> kWords = {{
 }  // namespace
 
 std::span<const LayerWord> relief_words() {
-  return kWords;
+  return kReliefWords;
 }
 
 }  // namespace temblor::artgen

@@ -241,7 +241,7 @@ void paint_ribs(Layer& layer, Surface& io_surface) {
     }
 }
 
-constexpr std::array<LayerWord, 5> kWords = {{
+constexpr std::array<LayerWord, 5> kStructureWords = {{
     {"bricks", paint_bricks},
     {"blocks", paint_blocks},
     {"planks", paint_planks},
@@ -252,7 +252,7 @@ constexpr std::array<LayerWord, 5> kWords = {{
 }  // namespace
 
 std::span<const LayerWord> structure_words() {
-  return kWords;
+  return kStructureWords;
 }
 
 }  // namespace temblor::artgen
