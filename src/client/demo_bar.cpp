@@ -13,7 +13,8 @@ namespace temblor::client {
 namespace {
 
 // In the panel's 320 x 16 pixels.
-constexpr int kHeight = 16, kLeft = 8, kWidth = kScreenWidth - 2 * kLeft, kBarTop = 10, kBarThickness = 3;
+constexpr int kHeight = 16, kBarLeft = 8, kWidth = kScreenWidth - 2 * kBarLeft, kBarTop = 10,
+              kBarThickness = 3;
 constexpr std::uint8_t kDark = 0, kBright = 12;
 
 // "1:05".
@@ -40,16 +41,16 @@ void draw_demo_bar(const DemoSession& session, const assets::Pictures& pictures,
                           .at_bottom(kHeight + kBarHeight + kInventoryHeight);
   const double passed_s = session.time_s() - session.begin_s();
   const double part = length_s(session) > 0 ? std::clamp(passed_s / length_s(session), 0.0, 1.0) : 1;
-  panel.text(fmt::format("{} / {}", clock_text(passed_s), clock_text(length_s(session))), kLeft, 0);
+  panel.text(fmt::format("{} / {}", clock_text(passed_s), clock_text(length_s(session))), kBarLeft, 0);
   const std::string state = state_text(session);
-  panel.text(state, kLeft + kWidth - static_cast<int>(state.size()) * kCharacterSide, 0);
-  panel.fill(kLeft - 1, kBarTop - 1, kWidth + 2, kBarThickness + 2, kDark);
-  panel.fill(kLeft, kBarTop, static_cast<int>(std::lround(part * kWidth)), kBarThickness, kBright);
+  panel.text(state, kBarLeft + kWidth - static_cast<int>(state.size()) * kCharacterSide, 0);
+  panel.fill(kBarLeft - 1, kBarTop - 1, kWidth + 2, kBarThickness + 2, kDark);
+  panel.fill(kBarLeft, kBarTop, static_cast<int>(std::lround(part * kWidth)), kBarThickness, kBright);
 }
 
 double demo_time_at(const DemoSession& session, int x_px, int width, int height, int scale) {
   const int pixel = choose_scale(width, height, scale);
-  const int left_px = (width - kScreenWidth * pixel) / 2 + kLeft * pixel;
+  const int left_px = (width - kScreenWidth * pixel) / 2 + kBarLeft * pixel;
   const double part = std::clamp(static_cast<double>(x_px - left_px) / (kWidth * pixel), 0.0, 1.0);
   return session.begin_s() + part * length_s(session);
 }

@@ -185,8 +185,8 @@ void PageView::draw_row(const Canvas& canvas, const RowPlace& place, std::size_t
 
 void PageView::draw_scroll_bar(const Canvas& canvas, const Box& beside) {
   if (lines_ <= room_) return;
-  constexpr int kWidth = 3, kShortest = 6;
-  const Box track{beside.right() + kScrollBar - kWidth - 1, beside.y, kWidth, beside.height};
+  constexpr int kTrackWidth = 3, kShortest = 6;
+  const Box track{beside.right() + kScrollBar - kTrackWidth - 1, beside.y, kTrackWidth, beside.height};
   Box thumb = track;
   thumb.height = std::clamp(static_cast<int>(static_cast<double>(track.height) * static_cast<double>(room_) /
                                              static_cast<double>(lines_)),
