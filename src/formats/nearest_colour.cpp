@@ -1,7 +1,6 @@
 #include "formats/nearest_colour.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "base/check.h"
@@ -9,72 +8,81 @@
 namespace temblor::formats {
 namespace {
 
-constexpr int kCellShift = 4;
-constexpr int kCellsPerChannel = 256 >> kCellShift;
+constexpr int kCoarseSize = 64, kFineSize = 16;
+constexpr int kFineCells = 256 / kFineSize;  // of each channel
 
-// The least and greatest squared distance of a channel's value to those of a cell.
+constexpr std::size_t cell_index(int r, int g, int b) {
+  return static_cast<std::size_t>((r / kFineSize * kFineCells + g / kFineSize) * kFineCells + b / kFineSize);
+}
+
+constexpr int squared(int x) {
+  return x * x;
+}
+
+// Squared distances, in one channel, from a colour's value to the nearest and the farthest one of a cell.
 struct Reach {
-  int least, greatest;
+  int nearest, farthest;
 };
-
-Reach reach_of(int value, int cell) {
-  const int low = value - (cell << kCellShift);
-  const int high = ((cell + 1) << kCellShift) - 1 - value;
-  const int farthest = std::max(std::abs(low), std::abs(high));
-  const int outside = std::max({0, -low, -high});
-  return {outside * outside, farthest * farthest};
+Reach reach(int value, int low, int size) {
+  const int below = low - value, above = value - (low + size - 1);
+  return {squared(std::max({below, above, 0})), squared(std::min(below, above))};
 }
 
-Reach reach_of(Rgb colour, int r, int g, int b) {
-  const Reach red = reach_of(colour.r, r), green = reach_of(colour.g, g), blue = reach_of(colour.b, b);
-  return {red.least + green.least + blue.least, red.greatest + green.greatest + blue.greatest};
-}
-
-int squared_distance(Rgb a, Rgb b) {
-  const int dr = a.r - b.r, dg = a.g - b.g, db = a.b - b.b;
-  return dr * dr + dg * dg + db * db;
+// Calls `visit` with the lowest values of every cell of a cube.
+template <typename Visit>
+void for_each_cell(int low_r, int low_g, int low_b, int cube_size, int cell_size, Visit visit) {
+  for (int r = low_r; r < low_r + cube_size; r += cell_size)
+    for (int g = low_g; g < low_g + cube_size; g += cell_size)
+      for (int b = low_b; b < low_b + cube_size; b += cell_size) visit(r, g, b);
 }
 
 }  // namespace
 
 NearestColour::NearestColour(const Palette& palette, std::size_t first, std::size_t count)
-    : palette_(palette) {
+    : cells_(std::size_t{kFineCells} * kFineCells * kFineCells) {
   CHECK(count > 0 && first + count <= palette.size(), "{} from {}", count, first);
-  std::array<Reach, 256> reaches{};
-  for (int r = 0; r < kCellsPerChannel; ++r)
-    for (int g = 0; g < kCellsPerChannel; ++g)
-      for (int b = 0; b < kCellsPerChannel; ++b) {
-        first_candidates_.push_back(static_cast<std::uint32_t>(candidates_.size()));
-        int bound = std::numeric_limits<int>::max();
-        for (std::size_t i = first; i < first + count; ++i) {
-          reaches[i] = reach_of(palette[i], r, g, b);
-          bound = std::min(bound, reaches[i].greatest);
-        }
-        for (std::size_t i = first; i < first + count; ++i)
-          if (reaches[i].least <= bound) candidates_.push_back(static_cast<std::uint8_t>(i));
-      }
-  first_candidates_.push_back(static_cast<std::uint32_t>(candidates_.size()));
+  std::vector<Candidate> all, near;
+  for (std::size_t i = first; i < first + count; ++i)
+    all.push_back({palette[i].r, palette[i].g, palette[i].b, static_cast<std::uint8_t>(i)});
+  // What is nearest to a point of a cell is so in the large cell around it: few are left to look at there.
+  for_each_cell(0, 0, 0, 256, kCoarseSize, [&](int coarse_r, int coarse_g, int coarse_b) {
+    near.clear();
+    add_candidates({coarse_r, coarse_g, coarse_b, kCoarseSize}, all, near);
+    for_each_cell(coarse_r, coarse_g, coarse_b, kCoarseSize, kFineSize, [&](int r, int g, int b) {
+      const auto begin = static_cast<std::uint32_t>(candidates_.size());
+      add_candidates({r, g, b, kFineSize}, near, candidates_);
+      cells_[cell_index(r, g, b)] = {begin, static_cast<std::uint32_t>(candidates_.size())};
+    });
+  });
 }
 
-std::span<const std::uint8_t> NearestColour::candidates_near(Rgb colour) const {
-  const auto cell = static_cast<std::size_t>(
-      ((colour.r >> kCellShift) * kCellsPerChannel + (colour.g >> kCellShift)) * kCellsPerChannel +
-      (colour.b >> kCellShift));
-  return std::span(candidates_)
-      .subspan(first_candidates_[cell], first_candidates_[cell + 1] - first_candidates_[cell]);
+void NearestColour::add_candidates(const Cell& cell, std::span<const Candidate> among,
+                                   std::vector<Candidate>& io_found) {
+  const auto reach_of = [&](const Candidate& colour) -> Reach {
+    const Reach r = reach(colour.r, cell.r, cell.size), g = reach(colour.g, cell.g, cell.size),
+                b = reach(colour.b, cell.b, cell.size);
+    return {r.nearest + g.nearest + b.nearest, r.farthest + g.farthest + b.farthest};
+  };
+  // A colour that is nowhere nearer than this cannot be the nearest.
+  int bound = std::numeric_limits<int>::max();
+  for (const Candidate& colour : among) bound = std::min(bound, reach_of(colour).farthest);
+  for (const Candidate& colour : among)
+    if (reach_of(colour).nearest <= bound) io_found.push_back(colour);
 }
 
 std::uint8_t NearestColour::find(Rgb colour) const {
-  std::uint8_t best = 0;
-  int best_distance = std::numeric_limits<int>::max();
-  for (const std::uint8_t index : candidates_near(colour)) {
-    const int distance = squared_distance(palette_[index], colour);
-    if (distance < best_distance) {
-      best = index;
-      best_distance = distance;
-    }
+  const Range cell = cells_[cell_index(colour.r, colour.g, colour.b)];
+  int least = std::numeric_limits<int>::max();
+  std::uint8_t found = 0;
+  for (std::uint32_t i = cell.begin; i < cell.end; ++i) {
+    const Candidate& candidate = candidates_[i];
+    const int distance =
+        squared(candidate.r - colour.r) + squared(candidate.g - colour.g) + squared(candidate.b - colour.b);
+    if (distance >= least) continue;
+    least = distance;
+    found = candidate.index;
   }
-  return best;
+  return found;
 }
 
 }  // namespace temblor::formats

@@ -14,7 +14,9 @@ namespace temblor::formats {
 constexpr std::size_t kFirstFullbright = 224;    // from here on colours shine in the dark
 constexpr std::uint8_t kTransparentIndex = 255;  // in pictures and in textures named {...
 
-// Searches `count` colours of the palette from `first` on, at least one. Making one takes milliseconds.
+// Searches `count` colours of the palette from `first` on, at least one. Making one takes part of a
+// millisecond. The colour cube is cut into cells, and each knows the few colours that can be nearest to a
+// point in it.
 class NearestColour {
  public:
   NearestColour(const Palette& palette, std::size_t first, std::size_t count);
@@ -23,12 +25,21 @@ class NearestColour {
   std::uint8_t find(Rgb colour) const;
 
  private:
-  std::span<const std::uint8_t> candidates_near(Rgb colour) const;
+  struct Candidate {
+    std::int16_t r, g, b;
+    std::uint8_t index;
+  };
+  struct Cell {
+    int r, g, b, size;  // lowest values, and how many of each channel
+  };
+  struct Range {
+    std::uint32_t begin = 0, end = 0;  // in candidates_
+  };
+  static void add_candidates(const Cell& cell, std::span<const Candidate> among,
+                             std::vector<Candidate>& io_found);
 
-  Palette palette_;
-  // The indices that are nearest to some colour in each cell of a regular grid over RGB, cell after cell.
-  std::vector<std::uint8_t> candidates_;
-  std::vector<std::uint32_t> first_candidates_;  // by cell, and the end
+  std::vector<Candidate> candidates_;  // of every cell, by increasing index
+  std::vector<Range> cells_;           // by red, green, blue, the last fastest
 };
 
 }  // namespace temblor::formats

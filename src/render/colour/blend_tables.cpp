@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <vector>
 
 namespace temblor::render {
 
@@ -12,21 +10,14 @@ namespace {
 constexpr std::size_t kTableSize = 256 * 256;
 constexpr std::size_t kClear = 255;
 
-// 0 to `end` - 1.
-std::vector<std::uint8_t> indices_below(int end) {
-  std::vector<std::uint8_t> indices(static_cast<std::size_t>(end));
-  std::iota(indices.begin(), indices.end(), std::uint8_t{0});
-  return indices;
-}
-
 }  // namespace
 
 // A palette may be full-bright throughout: then anything goes.
 PaletteMatch::PaletteMatch(const formats::Palette& palette, int first_fullbright)
     : first_fullbright_(first_fullbright),
-      lit_(palette,
-           indices_below(first_fullbright > 0 ? std::min(first_fullbright, int{kClear}) : int{kClear})),
-      any_(palette, indices_below(kClear)) {}
+      lit_(palette, 0,
+           first_fullbright > 0 ? std::min(static_cast<std::size_t>(first_fullbright), kClear) : kClear),
+      any_(palette, 0, kClear) {}
 
 BlendTables::Tables::Tables(const formats::Palette& of_palette, const PaletteMatch& of_match)
     : palette(of_palette),

@@ -11,10 +11,10 @@
 #include <mutex>
 #include <optional>
 
+#include "formats/nearest_colour.h"
 #include "formats/palette.h"
 #include "math/vec.h"
 #include "render/colour/fog_curve.h"
-#include "render/colour/nearest_colour.h"
 
 namespace temblor::render {
 
@@ -48,13 +48,13 @@ class PaletteMatch {
 
   // `fullbright`: whether a full-bright entry took part in the colour.
   std::uint8_t operator()(formats::Rgb colour, bool fullbright) const {
-    return (fullbright ? any_ : lit_)(colour);
+    return (fullbright ? any_ : lit_).find(colour);
   }
   bool is_fullbright(std::size_t index) const { return static_cast<int>(index) >= first_fullbright_; }
 
  private:
   int first_fullbright_;
-  NearestColour lit_, any_;
+  formats::NearestColour lit_, any_;
 };
 
 // A table for each sixteenth of opacity, 1 to 15: 64 KiB each, worked out when it is first asked for, since
