@@ -25,8 +25,9 @@ PlayedHost::PlayedHost(std::vector<std::string> commands, platform::PixelSize si
     : window_({.size = size}) {
   game_.folder().write("id1/progs/player.mdl", formats::write_mdl(box_mdl()));
   game_.folder().write("id1/progs.dat", compile_quakec(small_program()));
-  commands.insert(commands.begin(), {"host_maxfps 10000", "r_threads 1",
-                                     fmt::format("vid_width {}; vid_height {}", size.width, size.height)});
+  always_ = {"host_maxfps 10000", "r_threads 1",
+             fmt::format("vid_width {}; vid_height {}", size.width, size.height)};
+  commands.insert(commands.begin(), always_.begin(), always_.end());
   start(std::move(commands));
 }
 
@@ -53,7 +54,7 @@ void PlayedHost::start(std::vector<std::string> commands,
 
 void PlayedHost::start_again(std::function<base::Status(command::Variables&)> command_line) {
   lines_.clear();
-  start({"host_maxfps 10000", "r_threads 1"}, command_line);
+  start(always_, command_line);
 }
 
 void PlayedHost::run(double seconds, double frame_s) {

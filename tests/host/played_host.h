@@ -45,6 +45,7 @@ class PlayedHost {
              const std::function<base::Status(command::Variables&)>& command_line = nullptr);
 
   SmallGame game_;
+  std::vector<std::string> always_;  // commands of every start
   platform::headless::HeadlessWindow window_;
   std::unique_ptr<command::Variables> variables_;
   std::unique_ptr<host::HostVariables> host_variables_;
