@@ -14,7 +14,7 @@ namespace temblor::audio {
 namespace {
 
 constexpr int kMaxChannels = 8, kMinRate = 4000, kMaxRate = 384000;
-constexpr sf_count_t kPiece_frames = 1024;
+constexpr sf_count_t kDecoded_frames = 1024;
 
 // A file of libsndfile's in memory.
 struct MemoryFile {
@@ -78,7 +78,7 @@ struct MusicDecoder::State {
   double ratio = 1;
   bool has_failed = false;
   std::vector<float> piece;  // as the file has it
-  std::vector<float> stereo = std::vector<float>(2 * kPiece_frames);
+  std::vector<float> stereo = std::vector<float>(2 * kDecoded_frames);
   std::size_t stereo_at = 0, stereo_frames = 0;  // what of `stereo` is still to be used
 
   void decode_piece();
@@ -87,9 +87,9 @@ struct MusicDecoder::State {
 
 // The next frames into `stereo`; none: has_failed.
 void MusicDecoder::State::decode_piece() {
-  sf_count_t count = sf_readf_float(sound.get(), piece.data(), kPiece_frames);
+  sf_count_t count = sf_readf_float(sound.get(), piece.data(), kDecoded_frames);
   if (count <= 0 && sf_seek(sound.get(), 0, SEEK_SET) >= 0)
-    count = sf_readf_float(sound.get(), piece.data(), kPiece_frames);
+    count = sf_readf_float(sound.get(), piece.data(), kDecoded_frames);
   has_failed = count <= 0;
   stereo_at = 0;
   stereo_frames = static_cast<std::size_t>(std::max<sf_count_t>(count, 0));
@@ -134,7 +134,7 @@ base::Result<MusicDecoder> MusicDecoder::open(base::ByteVector bytes) {
     return base::error(base::ErrorCode::kUnsupported, "{} channels of {} frames a second are not supported",
                        info.channels, info.samplerate);
   state->channels = info.channels;
-  state->piece.resize(static_cast<std::size_t>(kPiece_frames * info.channels));
+  state->piece.resize(static_cast<std::size_t>(kDecoded_frames * info.channels));
   state->ratio = static_cast<double>(kFramesPerSecond) / info.samplerate;
   if (info.samplerate != kFramesPerSecond) {
     int failure = 0;

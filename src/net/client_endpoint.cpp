@@ -7,18 +7,13 @@
 #include "base/check.h"
 #include "base/text.h"
 #include "net/control.h"
+#include "net/send_to.h"
 #include "net/wire/packet_header.h"
 
 namespace temblor::net {
 namespace {
 
-struct SendTo {
-  platform::DatagramSocket& socket;
-  const platform::Address& address;
-  void operator()(base::Bytes packet) const { socket.send(address, packet); }
-};
-
-base::ByteVector written(const ClientMessage& message) {
+base::ByteVector client_message_bytes(const ClientMessage& message) {
   base::ByteWriter writer;
   const base::Status status = write_client_message(message, Protocol::kNetQuake, writer);
   CHECK(status.ok());
@@ -57,7 +52,7 @@ void ClientEndpoint::disconnect() {
   // One of them may be lost, and nobody will ask for it again.
   constexpr int kTimes = 3;
   if (state_ == State::kConnected)
-    for (int i = 0; i < kTimes; ++i) CHECK(send_unreliable(written(Disconnect{})).ok());
+    for (int i = 0; i < kTimes; ++i) CHECK(send_unreliable(client_message_bytes(Disconnect{})).ok());
   state_ = State::kIdle;
   lost_.reset();
 }
@@ -139,7 +134,7 @@ void ClientEndpoint::accept(std::int32_t port) {
   state_ = State::kConnected;
   heard_s_ = now_s_;
   // Opens the way back through a translation of addresses on our side, where the server's port is a new one.
-  CHECK(send_unreliable(written(Nop{})).ok());
+  CHECK(send_unreliable(client_message_bytes(Nop{})).ok());
 }
 
 // Behind a translation of addresses a server may name a port that is not the one the world sees: until its

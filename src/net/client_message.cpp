@@ -65,9 +65,9 @@ base::Error error_of(const FieldReader& fields, unsigned id, std::size_t offset,
   return base::malformed("{}: message ends after {} of {} bytes", place, have, 1 + fields.bytes_wanted());
 }
 
-class Writer {
+class ClientMessageWriter {
  public:
-  explicit Writer(FieldWriter& io_fields) : f_(io_fields) {}
+  explicit ClientMessageWriter(FieldWriter& io_fields) : f_(io_fields) {}
 
   void operator()(const Nop&) { f_.u8(kNop); }
   void operator()(const Disconnect&) { f_.u8(kDisconnect); }
@@ -113,7 +113,7 @@ base::Status write_client_message(const ClientMessage& message, Protocol protoco
                                   base::ByteWriter& io_writer) {
   const std::size_t start = io_writer.size();
   FieldWriter fields(io_writer, dialect_of_moves(protocol));
-  std::visit(Writer(fields), message);
+  std::visit(ClientMessageWriter(fields), message);
   if (!fields.refusal()) return base::Ok{};
   io_writer.truncate(start);
   return base::error(fields.refusal()->code, "{}: {}", name_of(message), fields.refusal()->what);

@@ -76,9 +76,9 @@ ControlPacket read_rule_info(FieldReader& io_fields, bool is_end) {
   return RuleInfoReply{io_fields.text("the rule's name"), io_fields.text("the value")};
 }
 
-class Writer {
+class ControlWriter {
  public:
-  explicit Writer(FieldWriter& io_fields) : f_(io_fields) {}
+  explicit ControlWriter(FieldWriter& io_fields) : f_(io_fields) {}
 
   void operator()(const ConnectRequest& p) { game(p.net_protocol); }
   void operator()(const ServerInfoRequest& p) { game(p.net_protocol); }
@@ -154,7 +154,7 @@ base::Result<base::ByteVector> write_control_packet(const ControlPacket& packet)
   base::ByteWriter body;
   FieldWriter fields(body, Dialect{});
   fields.u8(kCommands[packet.index()].id);
-  std::visit(Writer(fields), packet);
+  std::visit(ControlWriter(fields), packet);
   const std::size_t size = kControlHeaderBytes + body.size();
   if (size > kMaxControlBytes) fields.refuse("{} bytes, the most is {}", size, kMaxControlBytes);
   if (fields.refusal())

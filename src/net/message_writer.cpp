@@ -15,9 +15,9 @@ namespace temblor::net {
 namespace {
 
 // Writes whole messages, their numbers included.
-class Writer {
+class ServerMessageWriter {
  public:
-  explicit Writer(FieldWriter& io_fields) : f_(io_fields) {}
+  explicit ServerMessageWriter(FieldWriter& io_fields) : f_(io_fields) {}
 
   void operator()(const Nop&) { f_.id(MessageId::kNop); }
   void operator()(const Disconnect&) { f_.id(MessageId::kDisconnect); }
@@ -125,7 +125,7 @@ base::Status write_message(const ServerMessage& message, const Dialect& dialect,
                            base::ByteWriter& io_writer) {
   const std::size_t start = io_writer.size();
   FieldWriter fields(io_writer, dialect);
-  std::visit(Writer(fields), message);
+  std::visit(ServerMessageWriter(fields), message);
   if (!fields.refusal()) return base::Ok{};
   io_writer.truncate(start);
   return base::error(fields.refusal()->code, "{}: {}", name_of(message), fields.refusal()->what);

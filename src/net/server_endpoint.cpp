@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "net/message_writer.h"
+#include "net/send_to.h"
 #include "net/wire/packet_header.h"
 
 namespace temblor::net {
@@ -13,14 +14,7 @@ namespace {
 // A request to connect that comes again this soon is a repetition: the answer to the first was lost.
 constexpr double kRepeatedRequest_s = 2;
 
-// Sends a channel's packets to its peer.
-struct SendTo {
-  platform::DatagramSocket& socket;
-  const platform::Address& address;
-  void operator()(base::Bytes packet) const { socket.send(address, packet); }
-};
-
-base::ByteVector written(const ServerMessage& message) {
+base::ByteVector server_message_bytes(const ServerMessage& message) {
   base::ByteWriter writer;
   const base::Status status = write_message(message, Dialect{}, writer);
   CHECK(status.ok(), "{}", status.error().message());
@@ -294,8 +288,8 @@ void ServerEndpoint::open_half(const Peer& from) {
   }
   farewells_.forget(from.address);
   accept(from);
-  const base::Status sent =
-      half_open->channel.send_reliable(written(Nop{}), now_s_, SendTo{*sockets_[from.socket], from.address});
+  const base::Status sent = half_open->channel.send_reliable(server_message_bytes(Nop{}), now_s_,
+                                                             SendTo{*sockets_[from.socket], from.address});
   CHECK(sent.ok());
 }
 
