@@ -145,6 +145,7 @@ base::Result<std::unique_ptr<CompileSession>> CompileSession::begin(const Compil
   TRY(const assets::Look look, find_look(folders));
   const LevelPaths paths = level_paths(output_of(options));
   TRY_STATUS(check_output(options.source, paths));
+  if (compile_options(options).light_wish == StageWish::kMake) TRY_STATUS(compiler::check_light());
   std::unique_ptr<CompileSession> session(new CompileSession(options, look.palette, paths));
   session->game_wads_ = wads_of_games(folders);
   // A level that becomes another one begins with what is in it.

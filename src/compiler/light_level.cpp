@@ -189,6 +189,10 @@ LightCache empty_cache(const Preparation& prepared, formats::Bsp unlit_bsp, cons
 
 }  // namespace
 
+base::Status check_light() {
+  return RayScene::check();
+}
+
 base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& face_keys,
                                        const LightOptions& options, base::Jobs& io_jobs, Progress progress,
                                        Warnings& io_warnings, LightCache* io_cache) {

@@ -48,6 +48,10 @@ base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& fac
                                        const LightOptions& options, base::Jobs& io_jobs, Progress progress,
                                        Warnings& io_warnings, LightCache* io_cache = nullptr);
 
+// kUnsupported where no level can be lit: Embree is not on this machine, or does not run on it. Worth asking
+// before what comes ahead of light.
+base::Status check_light();
+
 // The same work by several processes: each makes a shard, which is light maps and faces index, index + count,
 // ..., and one of them merges all shards to what light_level would have made.
 struct LightShard {

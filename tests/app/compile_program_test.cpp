@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
@@ -57,6 +58,21 @@ TEST_F(CompileProgram, StagesCanBeLeftOut) {
   EXPECT_EQ(bsp.version, formats::BspVersion::kBsp2);
   EXPECT_THAT(bsp.lighting, IsEmpty());
   EXPECT_THAT(bsp.visibility, IsEmpty());
+}
+
+TEST_F(CompileProgram, WithoutTheLibraryOfLightItSaysSoAtOnce) {
+  folder_.write("room.map", lit_room());
+  for (const char* name : {"libembree3.so.3", "libembree4.so.4"})
+    folder_.write(name, std::string_view("no library"));
+  setenv("LD_LIBRARY_PATH", folder_.path().c_str(), 1);
+  const ProgramRun refused = run_program(folder_.path(), {"compile", "room.map"});
+  EXPECT_EQ(refused.exit_status, 1);
+  EXPECT_TRUE(is_one_error_line(refused.err)) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("libembree"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "room.bsp"));
+  const ProgramRun bare = run_program(folder_.path(), {"compile", "room.map", "--no-light"});
+  unsetenv("LD_LIBRARY_PATH");
+  EXPECT_EQ(bare.exit_status, 0) << bare.err;
 }
 
 TEST_F(CompileProgram, LeakIsToldAndItsWayIsWritten) {

@@ -16,14 +16,8 @@ constexpr std::size_t kLanes = 16;
 constexpr float kLossSteps = 65536;  // for each factor of e
 constexpr float kLeastShare = 1.0f / 1024;
 
-struct ReleaseDevice {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
-struct ReleaseScene {
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
-using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
+using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, decltype(&rtcReleaseDevice)>;
+using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, decltype(&rtcReleaseScene)>;
 
 // The panes that a ray has been through: Embree may show it the same one again, and on a face's diagonal it
 // meets two triangles. Behind so many more of them make no difference.
@@ -171,32 +165,34 @@ struct Filter {
   RTCFilterFunctionN occluded = nullptr, intersected = nullptr;
 };
 
-void add_triangles(RTCDevice device, RTCScene scene, std::span<const math::Vec3> vertices,
-                   std::span<const OccluderTriangle> triangles, const Filter& filter) {
+void add_triangles(const Embree& embree, RTCDevice device, RTCScene scene,
+                   std::span<const math::Vec3> vertices, std::span<const OccluderTriangle> triangles,
+                   const Filter& filter) {
   if (triangles.empty()) return;
-  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  const RTCGeometry geometry = embree.new_geometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   // Embree reads 16 bytes at each vertex: its own buffer has the room behind the last one.
-  void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                            sizeof(math::Vec3), vertices.size());
-  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                          sizeof(std::uint32_t) * 3, triangles.size());
+  void* positions = embree.set_new_geometry_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                   sizeof(math::Vec3), vertices.size());
+  void* indices = embree.set_new_geometry_buffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                 sizeof(std::uint32_t) * 3, triangles.size());
   if (positions != nullptr && indices != nullptr) {
     std::copy(vertices.begin(), vertices.end(), static_cast<math::Vec3*>(positions));
     auto* corner = static_cast<std::uint32_t*>(indices);
     for (const OccluderTriangle& triangle : triangles)
       corner = std::copy_n(triangle.corners.begin(), 3, corner);
   }
-  rtcSetGeometryUserData(geometry, filter.data);
-  if (filter.occluded != nullptr) rtcSetGeometryOccludedFilterFunction(geometry, filter.occluded);
-  if (filter.intersected != nullptr) rtcSetGeometryIntersectFilterFunction(geometry, filter.intersected);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene, geometry);
-  rtcReleaseGeometry(geometry);
+  embree.set_geometry_user_data(geometry, filter.data);
+  if (filter.occluded != nullptr) embree.set_geometry_occluded_filter_function(geometry, filter.occluded);
+  if (filter.intersected != nullptr)
+    embree.set_geometry_intersect_filter_function(geometry, filter.intersected);
+  embree.commit_geometry(geometry);
+  embree.attach_geometry(scene, geometry);
+  embree.release_geometry(geometry);
 }
 
-Scene make_scene(RTCDevice device) {
-  Scene scene(rtcNewScene(device));
-  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+Scene make_scene(const Embree& embree, RTCDevice device) {
+  Scene scene(embree.new_scene(device), embree.release_scene);
+  embree.set_scene_flags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   return scene;
 }
 
@@ -240,8 +236,9 @@ constexpr float kToTheSky = 1 << 26;  // longer than any level is wide
 }  // namespace
 
 struct RayScene::Scenes {
-  Device device;
-  Scene opaque, sieve, sky;
+  Embree embree;
+  Device device{nullptr, nullptr};
+  Scene opaque{nullptr, nullptr}, sieve{nullptr, nullptr}, sky{nullptr, nullptr};
   SieveSet sieves;
   SkySet skies;
   std::vector<OccluderTriangle> opaque_triangles;
@@ -251,13 +248,13 @@ struct RayScene::Scenes {
               std::uint32_t receiver_model) const {
     LossContext context;
     context.receiver_model = receiver_model;
-    init_context(context.embree);
-    occluded16(mask.lane.data(), opaque.get(), context.embree, io_rays);
+    Embree::init_context(context.embree);
+    embree.occluded16(mask.lane.data(), opaque.get(), context.embree, io_rays);
     if (!sieves.triangles.empty()) {
       LaneMask left = mask;
       for (std::size_t i = 0; i < kLanes; ++i)
         if (io_rays.tfar[i] < 0) left.lane[i] = 0;
-      if (left.any()) occluded16(left.lane.data(), sieve.get(), context.embree, io_rays);
+      if (left.any()) embree.occluded16(left.lane.data(), sieve.get(), context.embree, io_rays);
     }
     for (std::size_t i = 0; i < kLanes; ++i) {
       if (mask.lane[i] == 0) continue;
@@ -272,28 +269,35 @@ RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
+base::Status RayScene::check() {
+  const base::Result<RayScene> nothing = make({});
+  return nothing.ok() ? base::Status(base::Ok{}) : nothing.error();
+}
+
 base::Result<RayScene> RayScene::make(Occluders occluders) {
   auto scenes = std::make_unique<Scenes>();
+  TRY(scenes->embree, Embree::load());
+  const Embree& embree = scenes->embree;
   // One instruction set on all machines that have it: others round differently.
-  scenes->device = Device(rtcNewDevice("isa=avx2"));
+  scenes->device = Device(embree.new_device("isa=avx2"), embree.release_device);
   if (!scenes->device)
     return base::error(base::ErrorCode::kUnsupported, "Embree does not run on this machine");
   const RTCDevice device = scenes->device.get();
   scenes->sieves = {std::move(occluders.sieves), std::move(occluders.sieve_surfaces)};
   scenes->opaque_triangles = std::move(occluders.opaque);
   scenes->skies = {std::move(occluders.skies), std::move(occluders.sky_normals)};
-  scenes->opaque = make_scene(device);
-  add_triangles(device, scenes->opaque.get(), occluders.vertices, scenes->opaque_triangles,
+  scenes->opaque = make_scene(embree, device);
+  add_triangles(embree, device, scenes->opaque.get(), occluders.vertices, scenes->opaque_triangles,
                 {&scenes->opaque_triangles, nullptr, break_ties});
-  scenes->sieve = make_scene(device);
-  add_triangles(device, scenes->sieve.get(), occluders.vertices, scenes->sieves.triangles,
+  scenes->sieve = make_scene(embree, device);
+  add_triangles(embree, device, scenes->sieve.get(), occluders.vertices, scenes->sieves.triangles,
                 {&scenes->sieves, pass_sieves, nullptr});
-  scenes->sky = make_scene(device);
-  add_triangles(device, scenes->sky.get(), occluders.vertices, scenes->skies.triangles,
+  scenes->sky = make_scene(embree, device);
+  add_triangles(embree, device, scenes->sky.get(), occluders.vertices, scenes->skies.triangles,
                 {&scenes->skies, nullptr, turn_down_back_sides});
   for (const RTCScene scene : {scenes->opaque.get(), scenes->sieve.get(), scenes->sky.get()})
-    rtcCommitScene(scene);
-  if (rtcGetDeviceError(device) != RTC_ERROR_NONE)
+    embree.commit_scene(scene);
+  if (embree.get_device_error(device) != RTC_ERROR_NONE)
     return base::error(base::ErrorCode::kTooLarge, "no memory for the {} triangles that light meets",
                        scenes->opaque_triangles.size());
   return RayScene(std::move(scenes));
@@ -321,7 +325,7 @@ void RayScene::towards_sky(std::span<const math::Vec3> points, const math::Vec3&
   CHECK(points.size() == out_share.size());
   RTCRayHit16 rays;
   EmbreeContext context;
-  init_context(context);
+  Embree::init_context(context);
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, points.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
@@ -331,7 +335,7 @@ void RayScene::towards_sky(std::span<const math::Vec3> points, const math::Vec3&
     }
     fill_lanes(rays.ray, count);
     LaneMask mask = first_lanes(count);
-    intersect16(mask.lane.data(), scenes_->sky.get(), context, rays);
+    scenes_->embree.intersect16(mask.lane.data(), scenes_->sky.get(), context, rays);
     for (std::size_t i = 0; i < count; ++i)
       if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) mask.lane[i] = 0;
     if (mask.any()) scenes_->shares(mask, rays.ray, out_share.data() + first, receiver_model);
@@ -355,7 +359,7 @@ void RayScene::nearest(std::span<const math::Vec3> points, std::span<const math:
   CHECK(points.size() == directions.size() && points.size() == out_hits.size());
   RTCRayHit16 rays;
   TieContext context;
-  init_context(context.embree);
+  Embree::init_context(context.embree);
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, points.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
@@ -365,7 +369,7 @@ void RayScene::nearest(std::span<const math::Vec3> points, std::span<const math:
     context.distance.fill(-1);
     fill_lanes(rays.ray, count);
     const LaneMask mask = first_lanes(count);
-    intersect16(mask.lane.data(), scenes_->opaque.get(), context.embree, rays);
+    scenes_->embree.intersect16(mask.lane.data(), scenes_->opaque.get(), context.embree, rays);
     for (std::size_t i = 0; i < count; ++i) {
       const bool hit = rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
       out_hits[first + i] = {rays.ray.tfar[i],

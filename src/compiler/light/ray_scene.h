@@ -57,6 +57,8 @@ struct RayHit {
 class RayScene {
  public:
   static base::Result<RayScene> make(Occluders occluders);
+  // kUnsupported where no scene can be made on this machine.
+  static base::Status check();
   ~RayScene();
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
