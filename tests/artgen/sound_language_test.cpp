@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "artgen/sounds/sound_maker.h"
 #include "artgen/sounds/vorbis_file.h"
 #include "formats/wav.h"
+#include "support/random.h"
 #include "support/temporary_folder.h"
 
 namespace temblor::artgen {
@@ -162,6 +164,33 @@ TEST(SoundLanguage, HalfTheRateKeepsWhatItCanHold) {
   EXPECT_NEAR(db(share_of(low, 1000, kSynthesisRate / 2)), 0, 0.05);
   const Signal high = halve_rate(patch("tone sine pitch=15000", 1));
   EXPECT_LT(db(share_of(high, kSynthesisRate / 2 - 15000, kSynthesisRate / 2)), -60);
+}
+
+TEST(SoundLanguage, WhatIsDroppedIsFarBelowWhatIsHeard) {
+  test::Random random(1);
+  for (const int loudest : {3, 127, 128, 1000, 20000, 31784}) {
+    std::vector<std::int16_t> samples;
+    for (int i = 0; i < 32; ++i)
+      samples.push_back(static_cast<std::int16_t>(
+          static_cast<int>(random.below(2 * static_cast<std::size_t>(loudest) + 1)) - loudest));
+    samples[7] = static_cast<std::int16_t>(loudest % 2 == 0 ? loudest : -loudest);
+    samples.insert(samples.end(), {1, -2, 3, -4});  // a block of its own, which ends early
+    std::vector<std::int16_t> kept = samples;
+    drop_hidden_bits(kept);
+    for (std::size_t i = 0; i < 32; ++i) EXPECT_LE(std::abs(kept[i] - samples[i]) * 128, loudest);
+    for (std::size_t i = 32; i < samples.size(); ++i) EXPECT_EQ(kept[i], samples[i]);
+    const std::set<std::int16_t> values(kept.begin(), kept.begin() + 32);
+    if (loudest > 127) {
+      const int step = 1 << (static_cast<int>(std::log2(loudest)) - 6);
+      for (const int value : values) EXPECT_EQ(value % step, 0) << loudest;
+    } else {
+      EXPECT_EQ(kept, samples);
+    }
+  }
+  std::vector<std::int16_t> full = {32767, -32768, 32767, -32768};
+  drop_hidden_bits(full);
+  EXPECT_EQ(full[0], 32256);  // the highest step that a sample can hold
+  EXPECT_EQ(full[1], -32768);
 }
 
 TEST(SoundLanguage, ALoopLeadsOverToItsStart) {

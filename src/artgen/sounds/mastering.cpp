@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "artgen/sounds/filters.h"
@@ -166,6 +168,24 @@ std::vector<std::int16_t> to_samples(const Signal& signal) {
     return static_cast<std::int16_t>(std::lround(std::clamp(sample, -1.0, 1.0) * 32767));
   });
   return samples;
+}
+
+void drop_hidden_bits(std::span<std::int16_t> io_samples) {
+  constexpr std::size_t kBlock = 32;
+  constexpr int kKeptBits = 7;
+  for (std::size_t begin = 0; begin < io_samples.size(); begin += kBlock) {
+    const std::span<std::int16_t> block =
+        io_samples.subspan(begin, std::min(kBlock, io_samples.size() - begin));
+    int loudest = 0;
+    for (const int sample : block) loudest = std::max(loudest, std::abs(sample));
+    const int dropped =
+        std::max(0, static_cast<int>(std::bit_width(static_cast<unsigned>(loudest))) - kKeptBits);
+    const int step = 1 << dropped;
+    for (std::int16_t& sample : block) {
+      const int steps = std::min((sample + step / 2) >> dropped, 32767 >> dropped);
+      sample = static_cast<std::int16_t>(steps * step);
+    }
+  }
 }
 
 }  // namespace temblor::artgen

@@ -96,6 +96,7 @@ base::Result<formats::Wav> make_wav(const RecipeLine& thing, const SoundPlan& pl
     soften_end(signal, plan.fade_s, rate);
   }
   wav.samples = to_samples(signal);
+  drop_hidden_bits(wav.samples);
   return wav;
 }
 
