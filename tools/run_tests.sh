@@ -5,7 +5,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 
-CTEST_PARALLEL_LEVEL=$(nproc)
+CTEST_PARALLEL_LEVEL=$(($(nproc) + 1))  # some tests wait for other programs
 export CTEST_PARALLEL_LEVEL
 if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
