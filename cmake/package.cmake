@@ -1,5 +1,6 @@
 # `make install` and `make package`: the program, the game that ships with it, documents, a menu entry. The Debian
-# package asks for the libraries; the archive brings them and may be unpacked anywhere.
+# package asks for the libraries; the archive brings them and may be unpacked anywhere. What only the map compiler needs,
+# Embree, is an archive of its own, to be unpacked over the other.
 include(GNUInstallDirs)
 
 set(game_folder "${CMAKE_INSTALL_DATADIR}/games/temblor")
@@ -33,9 +34,14 @@ foreach(library IN LISTS brought)
 endforeach()" COMPONENT libraries)
 if(EXISTS /usr/share/doc AND EXISTS /usr/bin/dpkg-query)
   set(licences "\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}/libraries")
-  install(CODE "execute_process(COMMAND \"${CMAKE_SOURCE_DIR}/tools/package_licences.sh\" \"$<TARGET_FILE:temblor>\"
-                                \"${licences}\" COMMAND_ERROR_IS_FATAL ANY)" COMPONENT libraries)
+  set(tool "${CMAKE_SOURCE_DIR}/tools/package_licences.sh")
+  install(CODE "execute_process(COMMAND \"${tool}\" \"$<TARGET_FILE:temblor>\" \"${licences}\"
+                                COMMAND_ERROR_IS_FATAL ANY)" COMPONENT libraries)
+  install(CODE "execute_process(COMMAND \"${tool}\" \"$<TARGET_FILE:embree>\" \"${licences}\"
+                                COMMAND_ERROR_IS_FATAL ANY)" COMPONENT light)
 endif()
+install(FILES "$<TARGET_FILE:embree>" DESTINATION "${library_folder}" COMPONENT light
+        RENAME "$<TARGET_SONAME_FILE_NAME:embree>")
 
 set(CPACK_PACKAGE_NAME temblor)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Quake-class game and engine that draws without a GPU")
@@ -46,9 +52,12 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_THREADS 0)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# The program opens it by itself.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libembree${embree_VERSION_MAJOR}-${embree_VERSION_MAJOR}")
 set(CPACK_DEBIAN_PACKAGE_SECTION games)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_PROJECT_CONFIG_FILE "${CMAKE_SOURCE_DIR}/cmake/package_kinds.cmake")
 set(CPACK_INSTALL_CMAKE_PROJECTS "${CMAKE_BINARY_DIR};temblor;game;/")
+set(CPACK_BUILD_FOLDER "${CMAKE_BINARY_DIR}")  # for package_kinds.cmake
 include(CPack)

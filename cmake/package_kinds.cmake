@@ -1,4 +1,10 @@
-# Read once for each kind of package: only the archive has libraries in it.
+# Read once for each kind of package: only the archive has libraries in it, and its second part (cpack -D PART=light) one
+# alone.
 if(CPACK_GENERATOR STREQUAL "TXZ")
-  list(APPEND CPACK_INSTALL_CMAKE_PROJECTS "${CPACK_PACKAGE_DIRECTORY};temblor;libraries;/")
+  if(PART STREQUAL "light")
+    set(CPACK_INSTALL_CMAKE_PROJECTS "${CPACK_BUILD_FOLDER};temblor;light;/")
+  else()
+    list(APPEND CPACK_INSTALL_CMAKE_PROJECTS "${CPACK_BUILD_FOLDER};temblor;libraries;/")
+  endif()
+  set(CPACK_POST_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/pack_harder.cmake")
 endif()
