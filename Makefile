@@ -27,8 +27,8 @@ bench:
 	$(if $(TEMBLOR_DATA),build/release/bench/served_bench build/release/game/id1/progs.dat)
 	$(if $(TEMBLOR_DATA),build/release/bench/host_bench build/release/game/id1/progs.dat)
 
-# In build/release: a Debian package, an archive that may be unpacked anywhere, and the second part of that, in light/, for
-# who compiles maps with it.
+# In build/release: a Debian package, an archive that may be unpacked anywhere, and temblor-light-*.tar.xz, to be unpacked
+# over that by who compiles maps with it.
 package: shipped
 	cd build/release && cpack -G DEB && cpack -G TXZ && cpack -G TXZ -D PART=light -B light
 # PREFIX=/usr/local unless told.

@@ -4,5 +4,12 @@ find_program(xz xz REQUIRED)
 foreach(archive IN LISTS CPACK_PACKAGE_FILES)
   execute_process(COMMAND "${xz}" -dc "${archive}" COMMAND "${xz}" --x86 --lzma2=preset=9e,lp=1
                   OUTPUT_FILE "${archive}.harder" COMMAND_ERROR_IS_FATAL ANY)
-  file(RENAME "${archive}.harder" "${archive}")
+  set(packed "${archive}")
+  if(PART)  # made in a folder of its own, as both unpack into the same one and so have the same name
+    get_filename_component(name "${archive}" NAME)
+    string(REPLACE "temblor-" "temblor-${PART}-" name "${name}")
+    set(packed "${CPACK_BUILD_FOLDER}/${name}")
+  endif()
+  file(REMOVE "${archive}")
+  file(RENAME "${archive}.harder" "${packed}")
 endforeach()

@@ -40,9 +40,9 @@ first_frame() {
 
 packages() {
   local file
-  for file in "$build"/*.deb "$build"/*.tar.xz "$build"/light/*.tar.xz; do
+  for file in "$build"/*.deb "$build"/*.tar.xz; do
     [ -f "$file" ] || continue
-    row "${file#"$build"/}" "$(stat -c %s "$file" | awk '{ printf "%.1f", $1 / 1e6 }') MB" "under 30 MB"
+    row "${file##*/}" "$(stat -c %s "$file" | awk '{ printf "%.1f", $1 / 1e6 }') MB" "under 30 MB"
   done
 }
 

@@ -58,7 +58,7 @@ base::Result<Embree> Embree::load() {
     return base::error(
         base::ErrorCode::kUnsupported,
         "light needs Embree, whose library {} is not on this machine: install Debian's package {}, or "
-        "unpack the second part of the game's archive over it; --no-light goes without",
+        "unpack the archive temblor-light over the game's; --no-light goes without",
         kLibrary, kPackage);
   return embree;
 }
