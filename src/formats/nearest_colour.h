@@ -14,9 +14,9 @@ namespace temblor::formats {
 constexpr std::size_t kFirstFullbright = 224;    // from here on colours shine in the dark
 constexpr std::uint8_t kTransparentIndex = 255;  // in pictures and in textures named {...
 
-// Searches `count` colours of the palette from `first` on, at least one. Making one takes part of a
-// millisecond. The colour cube is cut into cells, and each knows the few colours that can be nearest to a
-// point in it.
+// Searches `count` colours of the palette from `first` on, at least one. Making one takes a millisecond
+// or two. The colour cube is cut into cells, and each knows the few colours that can be nearest to a point in
+// it.
 class NearestColour {
  public:
   NearestColour(const Palette& palette, std::size_t first, std::size_t count);
