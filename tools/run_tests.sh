@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # `make test`: everything that must hold before a change goes in. Each step counts towards the last line, which is
 # "N passed, N failed, N skipped"; exit status 1 if anything failed. Logs and test reports: build/PRESET/.
-# Game data, for the tests that want some, is found through TEMBLOR_DATA.
+# Game data, for the tests that want some, is found through TEMBLOR_DATA. TEMBLOR_TEST_SECONDS, where it is set, is the time
+# for all of it: what would take longer, on a slow machine, is skipped and said.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 
@@ -21,6 +22,13 @@ step() {
 skip() {
   echo "skipped: $*"
   skipped=$((skipped + 1))
+}
+# there_is_time WHAT PERCENT: for what takes that part of the time that the release build and its tests took.
+there_is_time() {
+  local needed=$((release_s * $2 / 100)) left=$((${TEMBLOR_TEST_SECONDS:-1000000} - SECONDS))
+  [ "$needed" -le "$left" ] && return
+  skip "$1: takes about $needed s here, and of TEMBLOR_TEST_SECONDS $left are left"
+  return 1
 }
 # check WHAT COMMAND...: one test that is not ctest's.
 check() {
@@ -88,14 +96,17 @@ fi
 
 step "release: build and test"
 check "release build" build release && suite release
+release_s=$SECONDS
 
 step "asan: build and test with the address and undefined-behaviour sanitizers"
-check "asan build" build asan && suite asan
+if there_is_time asan 140; then check "asan build" build asan && suite asan; fi
 
 step "tsan: build and test what runs on several threads"
 # gcc 12's thread sanitizer bears no wider spread of addresses.
 if [ "$(cat /proc/sys/vm/mmap_rnd_bits 2>/dev/null || echo 32)" -gt 28 ]; then launcher=(setarch -R); fi
-if "${launcher[@]}" true 2>/dev/null; then
+if ! there_is_time tsan 20; then
+  :
+elif "${launcher[@]}" true 2>/dev/null; then
   check "tsan build" build tsan base_test render_test && suite tsan -R 'Threads|ParallelFor|SamePicture'
 else
   skip "tsan: addresses are spread too widely here, and may not be spread less (setarch -R is refused)"
@@ -103,7 +114,9 @@ fi
 launcher=()
 
 step "fuzz: replay every corpus, then 5 s a target"
-if command -v clang++-16 >/dev/null; then
+if ! there_is_time fuzz 30; then
+  :
+elif command -v clang++-16 >/dev/null; then
   configure_options=(-DTEMBLOR_FUZZ_SECONDS=5)
   check "fuzz build" build fuzz fuzzers && suite fuzz
 else
