@@ -66,6 +66,38 @@ INSTANTIATE_TEST_SUITE_P(All, OnAPillar,
                                            "monster_shambler"),
                          [](const auto& kind) { return kind.param; });
 
+// A shaft in the floor, hardly wider than the monster and a little deeper than it steps: no step leads out.
+class InAPocket : public ::testing::TestWithParam<std::string> {
+ protected:
+  InAPocket()
+      : data_(hall_text({-600, -600, 0}, {1400, 600, 400},
+                        box_text({-600, -600, 0}, {1400, -18, 22}, "wall") +
+                            box_text({-600, 18, 0}, {1400, 600, 22}, "wall") +
+                            box_text({-600, -18, 0}, {-18, 18, 22}, "wall") +
+                            box_text({18, -18, 0}, {1400, 18, 22}, "wall"))) {}
+  RoomData data_;
+};
+
+TEST_P(InAPocket, TheyHopOut) {
+  PlayedLevel game(data_.path(), "room", kProgs);
+  game.join(0);
+  game.run(1);
+  game.player(0).set_flag(server::flag::kGodMode);
+  game.put(game.player(0), {300, 0, 50});
+  const std::uint32_t monster = game.spawn(GetParam(), {0, 0, 25}, 0);
+  game.run(1);
+  ASSERT_EQ(game.edict(monster)[field::kEnemy], game.player(0).index());
+  EXPECT_LT(game.edict(monster)[field::kOrigin].z, 25);
+  game.put(game.player(0), {1300, 0, 50});  // too far to be shot at
+  game.run(15);
+  EXPECT_GT(game.edict(monster)[field::kOrigin].z, 45);
+  EXPECT_THAT(game.errors(), IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, InAPocket,
+                         ::testing::Values("monster_knight", "monster_zombie", "monster_army"),
+                         [](const auto& kind) { return kind.param; });
+
 TEST(Fish, SwimOnWhenTheirPreyHasLeftTheWater) {
   const std::string water = box_text({-600, -600, 0}, {600, 600, 200}, "*water");
   const std::string shore = box_text({400, -600, 0}, {600, 600, 232}, "wall");
