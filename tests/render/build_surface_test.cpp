@@ -132,6 +132,9 @@ struct Block {
   }
 };
 
+// Sanitizers watch whole surfaces being built; of the slow definition they take a slanted sample.
+constexpr int kTexelStep = effort(1, 7);
+
 void expect_as_defined(const DrawableLevel& drawable, BlockRequest request, PixelFormat format,
                        bool vector_kernels, base::Arena& scratch) {
   const bool indexed = format == PixelFormat::kIndexed;
@@ -143,7 +146,7 @@ void expect_as_defined(const DrawableLevel& drawable, BlockRequest request, Pixe
   render::build_surface(*drawable.level, tables, nullptr, request, format, vector_kernels, scratch);
   const SurfaceDefinition definition(drawable, request);
   for (int y = 0; y < block.shape.height; ++y)
-    for (int x = 0; x < block.shape.width; ++x) {
+    for (int x = y % kTexelStep; x < block.shape.width; x += kTexelStep) {
       if (indexed) {
         ASSERT_EQ(int{block.texel<std::uint8_t>(x, y)}, int{definition.indexed(x, y)}) << x << ", " << y;
       } else {
