@@ -4,6 +4,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <span>
 
 #include "app/art_command.h"
 #include "app/bench_command.h"
@@ -15,6 +16,7 @@
 #include "app/render_command.h"
 #include "app/serve_command.h"
 #include "app/settings_command.h"
+#include "app/stock_arguments.h"
 #include "command/variables.h"
 #include "host/host_variables.h"
 
@@ -92,6 +94,16 @@ std::string option_name(const std::string& word) {
   return word.substr(0, word.find('='));
 }
 
+// CLI11 wants the last word first.
+std::vector<std::string> words_for_parser(const CLI::App& program, std::span<const char* const> arguments) {
+  std::vector<std::string> commands;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    commands.push_back(command->get_name());
+  std::vector<std::string> words = from_stock_arguments(arguments, commands);
+  std::reverse(words.begin(), words.end());
+  return words;
+}
+
 std::vector<std::string> commands_with(const CLI::App& program, const std::string& option) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
@@ -138,12 +150,12 @@ std::string describe_parse_error(const CLI::App& program, const CommonOptions& o
   return error.what();
 }
 
-int run_program(int argument_count, const char* const* arguments) {
+int run_program(std::span<const char* const> arguments) {
   CLI::App program("Temblor: draws and plays Quake-class levels without a GPU", "temblor");
   Commands commands;
   describe_command_line(program, commands);
   try {
-    program.parse(argument_count, arguments);
+    program.parse(words_for_parser(program, arguments));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
       return program.exit(error);  // --help and --version, printed to standard output
@@ -161,5 +173,6 @@ int run_program(int argument_count, const char* const* arguments) {
 }  // namespace temblor::app
 
 int main(int argument_count, char** arguments) {
-  return temblor::app::run_program(argument_count, arguments);
+  const std::span words(arguments, static_cast<std::size_t>(argument_count));
+  return temblor::app::run_program(words.subspan(std::min<std::size_t>(1, words.size())));
 }
