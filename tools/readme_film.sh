@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 out=${1:?a file for the picture}
-pieces=("t1 50 95" "t1 1660 1710" "t2 390 440" "t2 540 590" "t3 550 600" "t3 1715 1760")
+pieces=("t1 50 95" "t1 1660 1710" "t2 100 150" "t2 780 830" "t3 550 600" "t3 1715 1760")
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

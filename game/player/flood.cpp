@@ -26,6 +26,7 @@ constexpr std::size_t kMaxAssignments = 24;
 constexpr float kHarmlessFall_units = 256;
 constexpr float kSlimePenalty = 40;
 constexpr float kDeadlyJumpCost = 1500;  // over lava
+constexpr float kShort_units = 64;       // a jump may be too short by so much, and too low
 
 constexpr std::array<std::array<int, 2>, 8> kDirections = {
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
@@ -215,15 +216,21 @@ void Flood::try_jump(const Place& place, const math::Vec3& direction, Movers mov
     const float distance = glm::length(math::Vec2(end.place - place.at));
     if (distance < kLeastJump_units) continue;
     // What only just works is done when nothing else does.
+    const bool is_deadly = fall_z_ <= -kDeep_units || may_fall_short_into_lava(end.place, direction);
     add_found({.kind = WayKind::kJump,
                .at = end.place,
                .mover = end.mover,
                .swims = end.end == Flight::End::kSwims,
                .speed = speed,
-               .cost = 200 + distance + (speed > 250 ? 150.0f : 0.0f) +
-                       (fall_z_ <= -kDeep_units ? kDeadlyJumpCost : 0.0f)},
+               .cost = 200 + distance + (speed > 250 ? 150.0f : 0.0f) + (is_deadly ? kDeadlyJumpCost : 0.0f)},
               movers, io_found);
   }
+}
+
+bool Flood::may_fall_short_into_lava(const math::Vec3& landing, const math::Vec3& direction) const {
+  for (float short_units = 8; short_units <= kShort_units; short_units += 8)
+    if (space_.is_above_lava(landing - direction * short_units - math::Vec3(0, 0, kShort_units))) return true;
+  return false;
 }
 
 void Flood::try_climb_out(const Place& place, const math::Vec3& direction, Movers movers,

@@ -45,6 +45,7 @@ class Flood {
   void try_fall(const Place& place, const math::Vec3& direction, Movers movers, std::vector<Found>& io_found);
   void try_hop(const Place& place, const math::Vec3& direction, Movers movers, std::vector<Found>& io_found);
   void try_jump(const Place& place, const math::Vec3& direction, Movers movers, std::vector<Found>& io_found);
+  bool may_fall_short_into_lava(const math::Vec3& landing, const math::Vec3& direction) const;
   void try_climb_out(const Place& place, const math::Vec3& direction, Movers movers,
                      std::vector<Found>& io_found);
   void try_throw(const Place& place, const math::Vec3& direction, Movers movers,

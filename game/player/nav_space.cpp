@@ -10,6 +10,7 @@
 namespace temblor::player {
 namespace {
 
+constexpr float kDeepest_units = 4096;
 constexpr math::Bounds kPlayerBox{movement::kPlayerMins, movement::kPlayerMaxs};
 constexpr float kNear_units = 2;
 constexpr float kFlightStep_s = 1.0f / 72;
@@ -163,6 +164,14 @@ int NavSpace::water_level(const math::Vec3& place) const {
 
 bool NavSpace::is_in_lava(const math::Vec3& place) const {
   return contents(place + math::Vec3(0, 0, kPlayerBox.mins.z + 1)) == world::Contents::kLava;
+}
+
+bool NavSpace::is_above_lava(const math::Vec3& point) const {
+  if (contents(point) == world::Contents::kSolid) return false;
+  const math::Vec3 deep(point.x, point.y, point.z - kDeepest_units);
+  const world::Trace down =
+      world::trace_line(*level_, world::ModelIndex{0}, world::Hull::kPoint, point, deep);
+  return contents(down.end + math::Vec3(0, 0, 1)) == world::Contents::kLava;
 }
 
 bool NavSpace::is_in_slime(const math::Vec3& place) const {

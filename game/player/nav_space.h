@@ -44,6 +44,8 @@ class NavSpace {
   // 0 to 3, as movement has it.
   int water_level(const math::Vec3& place) const;
   bool is_in_lava(const math::Vec3& place) const;
+  // The point, and whatever falls from it.
+  bool is_above_lava(const math::Vec3& point) const;
   bool is_in_slime(const math::Vec3& place) const;
   // Movers that a player may meet within that box (of his origin), in any of their states.
   void movers_near(const math::Bounds& origins, std::vector<int>& out_movers) const;

@@ -8,7 +8,7 @@ namespace temblor::player {
 namespace {
 
 constexpr float kUnreached = 1e9f;
-constexpr float kLockedCost = 6000, kWaitCost = 120;
+constexpr float kLockedCost = 6000, kWaitCost = 120, kDeadEndCost = 3000;
 
 }  // namespace
 
@@ -16,7 +16,15 @@ Router::Router(const NavGraph& graph, const MoverWatch& movers)
     : graph_(&graph), movers_(&movers), is_goal_(graph.places().size()) {}
 
 void Router::blame(std::uint32_t from, std::uint32_t to, float cost) {
-  blamed_[{from, to}] += cost;
+  last_blamed_ = {from, to};
+  blamed_[*last_blamed_] += cost;
+}
+
+void Router::keep_last_blame() {
+  if (!last_blamed_) return;
+  kept_[*last_blamed_] += kDeadEndCost;
+  blamed_[*last_blamed_] += kDeadEndCost;
+  last_blamed_.reset();
 }
 
 float Router::cost_of(std::uint32_t from, const Way& way, const RouteRules& rules, bool& out_locked) const {

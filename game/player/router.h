@@ -41,7 +41,9 @@ class Router {
   std::optional<math::Vec3> nearest_reached(const math::Bounds& box) const;
   // A way that did not work costs more from now on.
   void blame(std::uint32_t from, std::uint32_t to, float cost);
-  void forgive() { blamed_.clear(); }
+  // What was blamed last has led to where no way leads on: that is never forgiven.
+  void keep_last_blame();
+  void forgive() { blamed_ = kept_; }
 
  private:
   Route trace_back(std::uint32_t from, std::uint32_t to, std::span<const float> costs,
@@ -51,7 +53,9 @@ class Router {
 
   const NavGraph* graph_;
   const MoverWatch* movers_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, float> blamed_;
+  using Blames = std::map<std::pair<std::uint32_t, std::uint32_t>, float>;  // cost by places from and to
+  Blames blamed_, kept_;
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> last_blamed_;
   std::vector<float> costs_;
   std::vector<std::uint32_t> came_from_, came_by_;  // place, and number of its way
   std::vector<float> surveyed_costs_;

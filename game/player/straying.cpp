@@ -50,6 +50,7 @@ math::Vec3 Brain::heading_off(server::Game& io_game, const Self& self) {
 void Brain::begin_again_from(const Self& self) {
   if (dead_ends_ >= kMostDeadEnds) return;
   ++dead_ends_;
+  router_.keep_last_blame();
   complain(fmt::format("a dead end at {:.0f} {:.0f} {:.0f}: began again", self.origin.x, self.origin.y,
                        self.origin.z));
   wants_to_begin_again_ = true;
