@@ -11,7 +11,7 @@ namespace {
 namespace field = server::field;
 
 constexpr double kIdle_s = 5;
-constexpr float kMoved_units = 10;
+constexpr float kMoved_units = 10;  // along the floor: hops in a pen lead nowhere
 constexpr int kStuckLooks = 8;
 
 bool is_in_wall(server::GameWorld& io_world, const server::Edict& edict) {
@@ -70,7 +70,7 @@ void MonsterWatch::look(server::Game& io_game, double now_s) {
     // Whoever goes from one thing that it does to another, or attacks, is not idle.
     watched.doings.insert(fields_.number(edict, "seq_first"));
     watched.finishes.insert(fields_.number(edict, "attack_finished"));
-    if (glm::distance(at, watched.at) > kMoved_units || watched.doings.size() > 1 ||
+    if (glm::distance(math::Vec2(at), math::Vec2(watched.at)) > kMoved_units || watched.doings.size() > 1 ||
         watched.finishes.size() > 1 || edict[field::kHealth] != watched.health ||
         is_about_something(io_game, edict) || !fights(io_game, edict)) {
       watched.at = at;

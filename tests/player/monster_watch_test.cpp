@@ -14,12 +14,13 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 // A room of 512 x 512 without an exit: the player stays where he is, at 64 256, and cannot be hurt. A knight
-// before him stands in a pen of four walls, which he looks over, strikes over, and cannot climb.
-player::RunReport stand_before_a_penned_knight(double x) {
-  const std::string pen = box_text({x - 24, 232, 0}, {x - 20, 280, 20}, "pen") +
-                          box_text({x + 20, 232, 0}, {x + 24, 280, 20}, "pen") +
-                          box_text({x - 20, 232, 0}, {x + 20, 236, 20}, "pen") +
-                          box_text({x - 20, 276, 0}, {x + 20, 280, 20}, "pen");
+// before him stands in a pen of four walls, which he looks over, strikes over, and cannot climb; above 36
+// units he does not hop over them either.
+player::RunReport stand_before_a_penned_knight(double x, double height) {
+  const std::string pen = box_text({x - 24, 232, 0}, {x - 20, 280, height}, "pen") +
+                          box_text({x + 20, 232, 0}, {x + 24, 280, height}, "pen") +
+                          box_text({x - 20, 232, 0}, {x + 20, 236, height}, "pen") +
+                          box_text({x - 20, 276, 0}, {x + 20, 280, height}, "pen");
   const std::string text =
       entity_text("worldspawn", "", walls_text({0, 0, 0}, {512, 512, 256}, "wall") + pen) +
       entity_text("info_player_start", "\"origin\" \"64 256 32\"\n\"angle\" \"0\"") +
@@ -33,11 +34,15 @@ player::RunReport stand_before_a_penned_knight(double x) {
 }
 
 TEST(MonsterWatch, OneThatStrikesAgainAndAgainIsNotIdle) {
-  EXPECT_THAT(stand_before_a_penned_knight(112).idle_monsters, IsEmpty());
+  EXPECT_THAT(stand_before_a_penned_knight(112, 20).idle_monsters, IsEmpty());
+}
+
+TEST(MonsterWatch, OneThatHopsOutOfHisPenIsNot) {
+  EXPECT_THAT(stand_before_a_penned_knight(320, 20).idle_monsters, IsEmpty());
 }
 
 TEST(MonsterWatch, OneThatCannotGetToHisEnemyIs) {
-  EXPECT_THAT(stand_before_a_penned_knight(320).idle_monsters, ElementsAre(HasSubstr("monster_knight")));
+  EXPECT_THAT(stand_before_a_penned_knight(320, 44).idle_monsters, ElementsAre(HasSubstr("monster_knight")));
 }
 
 }  // namespace
