@@ -16,7 +16,7 @@ test:
 bench:
 	tools/setup.sh build
 	cmake --preset release
-	cmake --build --preset release --target temblor kernel_bench compile_bench vm_bench server_bench served_bench host_bench game
+	cmake --build --preset release --target temblor kernel_bench compile_bench vm_bench server_bench client_server_bench host_bench game
 	cmake --build --preset release --target shipped_game game_tours
 	build/release/temblor $(WITH_DATA) bench --report $(BENCHED)
 	tools/measure_game.sh
@@ -24,7 +24,7 @@ bench:
 	build/release/bench/kernel_bench
 	build/release/bench/vm_bench
 	build/release/bench/server_bench
-	$(if $(TEMBLOR_DATA),build/release/bench/served_bench build/release/game/id1/progs.dat)
+	$(if $(TEMBLOR_DATA),build/release/bench/client_server_bench build/release/game/id1/progs.dat)
 	$(if $(TEMBLOR_DATA),build/release/bench/host_bench build/release/game/id1/progs.dat)
 
 # In build/release: a Debian package, an archive that may be unpacked anywhere, and temblor-light-*.tar.xz, to be unpacked

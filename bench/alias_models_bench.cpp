@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "math/angles.h"
-#include "render/models/draw_alias_models.h"
-#include "support/drawable_level.h"
-#include "support/drawable_models.h"
+#include "render/alias/draw_alias_models.h"
+#include "support/levels/drawable_level.h"
+#include "support/models/drawable_models.h"
 #include "support/random.h"
 
 namespace temblor::bench {
@@ -44,7 +44,7 @@ std::vector<render::AliasInstance> hundred_models(const render::AliasModel& mode
           math::Vec3((axes.forward + axes.right * (x / focal_px) + axes.up * (y / focal_px)) * distance);
       instance.angles_deg = random.in_cube(180);
       instance.full_bright = false;
-      instance.least_light = 80;
+      instance.min_light = 80;
       instances.push_back(instance);
     }
   return instances;
@@ -60,7 +60,7 @@ void draw_models(benchmark::State& state, render::PixelFormat format, render::Se
   scene.camera.origin_world = {0, 0, 100000};
   const auto instances = hundred_models(*model, scene.camera, share, kSize);
   scene.alias_models = instances;
-  const render::ColourTables tables = render::make_colour_tables(drawable.palette, drawable.colormap);
+  const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
   render::FrameBuffer frame(kWidth, kHeight, format);
   std::fill(frame.depth().begin(), frame.depth().end(), 0.0f);
   const render::ViewFrame view = render::make_view_frame(scene, kWidth, kHeight);

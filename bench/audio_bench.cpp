@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "audio/mix_kernels.h"
 #include "audio/mixer.h"
-#include "formats/wav.h"
+#include "audio/mixing/mix_kernels.h"
+#include "formats/sounds/wav.h"
 
 namespace temblor::bench {
 namespace {
@@ -74,10 +74,10 @@ void mix_kernel(benchmark::State& state) {
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * kSecond));
 }
 void mix_plainly(const audio::MixJob& job) {
-  audio::mix_plain(job);
+  audio::mix_scalar(job);
 }
 BENCHMARK(mix_kernel<mix_plainly>)->Name("audio/kernel/plain");
-BENCHMARK(mix_kernel<audio::mix_vector>)->Name("audio/kernel/vector");
+BENCHMARK(mix_kernel<audio::mix_simd>)->Name("audio/kernel/vector");
 
 // Loading: a second of sound as games have it.
 void resample(benchmark::State& state) {

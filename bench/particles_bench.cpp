@@ -7,14 +7,14 @@
 #include <random>
 #include <vector>
 
-#include "render/models/draw_particles.h"
+#include "render/particles/draw_particles.h"
 
 namespace temblor::bench {
 namespace {
 
 struct Cloud {
   std::vector<float> x, y, z;
-  std::vector<std::uint8_t> colour;
+  std::vector<std::uint8_t> color;
 };
 
 // In view of an eye at the origin that looks along x: spread over the whole picture.
@@ -29,7 +29,7 @@ Cloud random_cloud(std::size_t count, float least_distance, float most_distance)
     cloud.x.push_back(distance);
     cloud.y.push_back(distance * uniform(-1.3f, 1.3f));
     cloud.z.push_back(distance * uniform(-0.75f, 0.75f));
-    cloud.colour.push_back(static_cast<std::uint8_t>(random()));
+    cloud.color.push_back(static_cast<std::uint8_t>(random()));
   }
   return cloud;
 }
@@ -39,8 +39,8 @@ render::ViewFrame straight_view() {
   view.width = 1920;
   view.height = 1080;
   view.pixels_per_unit = 720;
-  view.centre_x = 959.5;
-  view.centre_y = 539.5;
+  view.center_x = 959.5;
+  view.center_y = 539.5;
   return view;
 }
 
@@ -53,10 +53,10 @@ void draw_particles(benchmark::State& state) {
   const Cloud cloud =
       random_cloud(10'000, static_cast<float>(state.range(0)), static_cast<float>(state.range(1)));
   render::Scene scene;
-  scene.particles = {cloud.x, cloud.y, cloud.z, cloud.colour};
+  scene.particles = {cloud.x, cloud.y, cloud.z, cloud.color};
   const render::ViewFrame view = straight_view();
   render::FrameBuffer frame(view.width, view.height, kFormat);
-  const render::ColourTables tables = render::make_colour_tables({}, {});
+  const render::ColorTables tables = render::make_color_tables({}, {});
   base::Jobs jobs(1);
   base::Arena arena;
   for (auto _ : state) {

@@ -1,7 +1,7 @@
 // Drawing spans of one surface, by mean length of a span: pixels a second with 1/z filled.
 #include <benchmark/benchmark.h>
 
-#include "bench/random_runs.h"
+#include "bench/random_spans.h"
 
 namespace temblor::bench {
 namespace {
@@ -42,22 +42,22 @@ void span_lengths(benchmark::internal::Benchmark* benchmark) {
   for (const int length : {4, 16, 40, 120}) benchmark->Arg(length);
 }
 
-BENCHMARK(draw_runs<std::uint8_t, render::draw_surface_runs_u8_vector, kExact>)
+BENCHMARK(draw_runs<std::uint8_t, render::draw_surface_runs_u8_simd, kExact>)
     ->Name("spans/indexed/exact/vector")
     ->Apply(span_lengths);
-BENCHMARK(draw_runs<std::uint8_t, render::draw_surface_runs_u8_plain, kExact>)
+BENCHMARK(draw_runs<std::uint8_t, render::draw_surface_runs_u8_scalar, kExact>)
     ->Name("spans/indexed/exact/plain")
     ->Apply(span_lengths);
-BENCHMARK(draw_runs<std::uint8_t, render::draw_surface_runs_u8_vector, kEvery16>)
+BENCHMARK(draw_runs<std::uint8_t, render::draw_surface_runs_u8_simd, kEvery16>)
     ->Name("spans/indexed/every16/vector")
     ->Apply(span_lengths);
-BENCHMARK(draw_runs<std::uint32_t, render::draw_surface_runs_u32_vector, kExact>)
+BENCHMARK(draw_runs<std::uint32_t, render::draw_surface_runs_u32_simd, kExact>)
     ->Name("spans/rgb/exact/vector")
     ->Apply(span_lengths);
-BENCHMARK(draw_runs<std::uint32_t, render::draw_surface_runs_u32_plain, kExact>)
+BENCHMARK(draw_runs<std::uint32_t, render::draw_surface_runs_u32_scalar, kExact>)
     ->Name("spans/rgb/exact/plain")
     ->Apply(span_lengths);
-BENCHMARK(draw_runs<std::uint32_t, render::draw_surface_runs_u32_vector, kEvery16>)
+BENCHMARK(draw_runs<std::uint32_t, render::draw_surface_runs_u32_simd, kEvery16>)
     ->Name("spans/rgb/every16/vector")
     ->Apply(span_lengths);
 

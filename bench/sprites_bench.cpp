@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "render/models/sprite_kernels.h"
+#include "render/sprites/sprite_kernels.h"
 
 namespace temblor::bench {
 namespace {
@@ -22,7 +22,7 @@ void draw_sprite_rows(benchmark::State& state) {
   std::vector<std::uint8_t> texels(kSide * kSide);
   for (std::uint8_t& texel : texels)
     texel = random() % 4 == 0 ? render::kClearTexel : static_cast<std::uint8_t>(random() % 255);
-  const std::vector<std::uint32_t> colours(256, 0xff123456u);
+  const std::vector<std::uint32_t> colors(256, 0xff123456u);
   std::vector<Pixel> pixels(static_cast<std::size_t>(count) * kRows);
   std::vector<float> depth(pixels.size(), 0.001f);
   const float nearness = 0.01f, step = kSide / static_cast<float>(count), scale = kAffine ? 1 : nearness;
@@ -36,7 +36,7 @@ void draw_sprite_rows(benchmark::State& state) {
                texels.data(),
                kSide,
                kSide,
-               colours.data(),
+               colors.data(),
                pixels.data() + first,
                depth.data() + first,
                0,
@@ -51,19 +51,19 @@ void row_lengths(benchmark::internal::Benchmark* benchmark) {
   for (const int length : {20, 100, 400}) benchmark->Arg(length);
 }
 
-BENCHMARK(draw_sprite_rows<std::uint8_t, render::draw_sprite_row_u8_vector, true>)
+BENCHMARK(draw_sprite_rows<std::uint8_t, render::draw_sprite_row_u8_simd, true>)
     ->Name("sprites/indexed/affine/vector")
     ->Apply(row_lengths);
-BENCHMARK(draw_sprite_rows<std::uint8_t, render::draw_sprite_row_u8_plain, true>)
+BENCHMARK(draw_sprite_rows<std::uint8_t, render::draw_sprite_row_u8_scalar, true>)
     ->Name("sprites/indexed/affine/plain")
     ->Apply(row_lengths);
-BENCHMARK(draw_sprite_rows<std::uint8_t, render::draw_sprite_row_u8_vector, false>)
+BENCHMARK(draw_sprite_rows<std::uint8_t, render::draw_sprite_row_u8_simd, false>)
     ->Name("sprites/indexed/tilted/vector")
     ->Apply(row_lengths);
-BENCHMARK(draw_sprite_rows<std::uint32_t, render::draw_sprite_row_u32_vector, true>)
+BENCHMARK(draw_sprite_rows<std::uint32_t, render::draw_sprite_row_u32_simd, true>)
     ->Name("sprites/rgb/affine/vector")
     ->Apply(row_lengths);
-BENCHMARK(draw_sprite_rows<std::uint32_t, render::draw_sprite_row_u32_plain, true>)
+BENCHMARK(draw_sprite_rows<std::uint32_t, render::draw_sprite_row_u32_scalar, true>)
     ->Name("sprites/rgb/affine/plain")
     ->Apply(row_lengths);
 

@@ -1,12 +1,12 @@
 // Triangles of models by their size in pixels: triangles a second, with depth tested and written. The mesh is
-// a field of corners pushed about at random, so that no two triangles are alike and neighbours share edges.
+// a field of corners pushed about at random, so that no two triangles are alike and neighbors share edges.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <random>
 #include <vector>
 
-#include "render/models/triangle_kernels.h"
+#include "render/alias/triangle_kernels.h"
 
 namespace temblor::bench {
 namespace {
@@ -57,7 +57,7 @@ void draw_triangles(benchmark::State& state) {
   std::mt19937 random(2);
   std::vector<std::uint8_t> skin(kSkinSide * kSkinSide);
   for (std::uint8_t& texel : skin) texel = static_cast<std::uint8_t>(random());
-  const std::vector<Pixel> colours(64 * 256, static_cast<Pixel>(0xff807060u));
+  const std::vector<Pixel> colors(64 * 256, static_cast<Pixel>(0xff807060u));
   std::vector<Pixel> pixels(kScreenWidth * kScreenHeight);
   std::vector<float> depth(pixels.size(), 0.0f);
   const std::size_t count = field.triangles.size() / 3;
@@ -70,7 +70,7 @@ void draw_triangles(benchmark::State& state) {
                           skin.data(),
                           kSkinSide,
                           kSkinSide,
-                          colours.data(),
+                          colors.data(),
                           {32768, 30000, 28000},
                           true,
                           fronts.data(),
@@ -88,19 +88,19 @@ void areas(benchmark::internal::Benchmark* benchmark) {
   for (const int area_px : {1, 2, 3, 4, 8, 16, 32, 64, 128}) benchmark->Arg(area_px);
 }
 
-BENCHMARK(draw_triangles<std::uint8_t, render::draw_triangles_u8_vector, true>)
+BENCHMARK(draw_triangles<std::uint8_t, render::draw_triangles_u8_simd, true>)
     ->Name("triangles/indexed/affine/vector")
     ->Apply(areas);
-BENCHMARK(draw_triangles<std::uint8_t, render::draw_triangles_u8_plain, false>)
+BENCHMARK(draw_triangles<std::uint8_t, render::draw_triangles_u8_scalar, false>)
     ->Name("triangles/indexed/affine/plain")
     ->Apply(areas);
 BENCHMARK(draw_triangles<std::uint8_t, render::subdivide_triangles_u8, false>)
     ->Name("triangles/indexed/subdivision")
     ->Apply(areas);
-BENCHMARK(draw_triangles<std::uint32_t, render::draw_triangles_u32_vector, true>)
+BENCHMARK(draw_triangles<std::uint32_t, render::draw_triangles_u32_simd, true>)
     ->Name("triangles/rgb/affine/vector")
     ->Apply(areas);
-BENCHMARK(draw_triangles<std::uint32_t, render::draw_triangles_u32_plain, false>)
+BENCHMARK(draw_triangles<std::uint32_t, render::draw_triangles_u32_scalar, false>)
     ->Name("triangles/rgb/affine/plain")
     ->Apply(areas);
 BENCHMARK(draw_triangles<std::uint32_t, render::subdivide_triangles_u32, false>)

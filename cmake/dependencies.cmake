@@ -28,7 +28,7 @@ if(TEMBLOR_SCALAR_ONLY)
   target_compile_definitions(temblor_flags INTERFACE HWY_COMPILE_ONLY_SCALAR)
 endif()
 
-# Debian 12 has Embree 3, later systems 4; src/compiler/light/embree.h knows both.
+# Debian 12 has Embree 3, later systems 4; src/compiler/light/rays/embree.h knows both.
 find_package(embree 4 QUIET)
 if(NOT embree_FOUND)
   find_package(embree 3 REQUIRED)

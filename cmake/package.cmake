@@ -33,11 +33,11 @@ foreach(library IN LISTS brought)
   endif()
 endforeach()" COMPONENT libraries)
 if(EXISTS /usr/share/doc AND EXISTS /usr/bin/dpkg-query)
-  set(licences "\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}/libraries")
-  set(tool "${CMAKE_SOURCE_DIR}/tools/package_licences.sh")
-  install(CODE "execute_process(COMMAND \"${tool}\" \"$<TARGET_FILE:temblor>\" \"${licences}\"
+  set(licenses "\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}/libraries")
+  set(tool "${CMAKE_SOURCE_DIR}/tools/package_licenses.sh")
+  install(CODE "execute_process(COMMAND \"${tool}\" \"$<TARGET_FILE:temblor>\" \"${licenses}\"
                                 COMMAND_ERROR_IS_FATAL ANY)" COMPONENT libraries)
-  install(CODE "execute_process(COMMAND \"${tool}\" \"$<TARGET_FILE:embree>\" \"${licences}\"
+  install(CODE "execute_process(COMMAND \"${tool}\" \"$<TARGET_FILE:embree>\" \"${licenses}\"
                                 COMMAND_ERROR_IS_FATAL ANY)" COMPONENT light)
 endif()
 install(FILES "$<TARGET_FILE:embree>" DESTINATION "${library_folder}" COMPONENT light

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "base/check.h"
-#include "formats/bsp.h"
+#include "formats/levels/bsp.h"
 
 using temblor::formats::BspVersion;
 

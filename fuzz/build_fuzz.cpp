@@ -8,7 +8,7 @@
 #include "base/check.h"
 #include "base/hash.h"
 #include "compiler/build_file.h"
-#include "formats/bsp.h"
+#include "formats/levels/bsp.h"
 
 using namespace temblor;
 
@@ -18,13 +18,13 @@ namespace {
 formats::Bsp small_level() {
   formats::Bsp bsp;
   bsp.planes.push_back({{0, 0, 1}, 0, 2});
-  bsp.leafs.resize(2);
-  bsp.leafs[0].contents = -2;
-  bsp.leafs[1].contents = -1;
+  bsp.leaves.resize(2);
+  bsp.leaves[0].contents = -2;
+  bsp.leaves[1].contents = -1;
   formats::BspNode node;
   node.children = {-2, -1};
   bsp.nodes.push_back(node);
-  bsp.models.emplace_back().visible_leafs = 1;
+  bsp.models.emplace_back().visible_leaves = 1;
   return bsp;
 }
 

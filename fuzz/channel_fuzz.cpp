@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/check.h"
-#include "net/channel.h"
+#include "net/transport/channel.h"
 
 using namespace temblor;
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "base/check.h"
-#include "net/client_message.h"
+#include "net/protocol/client_message.h"
 
 using namespace temblor;
 

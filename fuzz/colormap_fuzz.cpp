@@ -1,12 +1,12 @@
 // Any bytes: an error, or a colormap that is written as the same bytes (with the number of full-bright
-// colours at the end, which a file may lack).
+// colors at the end, which a file may lack).
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "base/check.h"
-#include "formats/palette.h"
+#include "formats/images/palette.h"
 
 using namespace temblor;
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "base/check.h"
-#include "client/console_ui.h"
-#include "client/console_ui/utf8.h"
+#include "client/console/console_ui.h"
+#include "client/console/utf8.h"
 #include "command/console.h"
 
 using namespace temblor;

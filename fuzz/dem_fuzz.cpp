@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/check.h"
-#include "formats/dem.h"
+#include "formats/game/dem.h"
 
 using namespace temblor;
 

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "base/check.h"
-#include "client/demo_index.h"
-#include "client/demo_player.h"
+#include "client/demo/demo_index.h"
+#include "client/demo/demo_player.h"
 
 using namespace temblor;
 

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "base/check.h"
-#include "net/message_reader.h"
-#include "net/told_updates.h"
+#include "net/delta/sent_snapshots.h"
+#include "net/protocol/message_reader.h"
 
 using namespace temblor;
 
@@ -19,11 +19,11 @@ constexpr net::Dialect kDialects[] = {{net::Protocol::kNetQuake, 0},
                                       {net::Protocol::kRmq, net::kFloatCoord | net::kFloatAngle}};
 
 // More than any state has: all entities with all of their fields, and text.
-constexpr std::size_t kMostBytes = 1024 * 64 + 2 * 2047 + 1024;
+constexpr std::size_t kMaxBytes = 1024 * 64 + 2 * 2047 + 1024;
 
 base::ByteVector following(std::uint16_t number, std::uint8_t back, base::Bytes content) {
   base::ByteWriter writer;
-  writer.u8(net::kDifferencePacket);
+  writer.u8(net::kDeltaPacket);
   writer.u16(number);
   writer.u8(back);
   writer.bytes(content);
@@ -35,7 +35,7 @@ base::ByteVector following(std::uint16_t number, std::uint8_t back, base::Bytes 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   base::ByteReader reader(std::as_bytes(std::span(data, size)));
   const net::Dialect dialect = kDialects[reader.u8() % std::size(kDialects)];
-  net::KnownUpdates known;
+  net::ReceivedSnapshots known;
   for (int i = 0; reader.remaining() > 0 && i < 30; ++i) {
     const std::size_t wanted = std::size_t{reader.u8()} * 4;
     base::Bytes bytes = reader.take(wanted < reader.remaining() ? wanted : reader.remaining());
@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     const auto stock = known.read(bytes, dialect);
     if (!stock.ok() || !*stock) continue;
-    CHECK((*stock)->size() <= kMostBytes);
+    CHECK((*stock)->size() <= kMaxBytes);
     // Whatever they are: read until they end or make no sense.
     net::MessageReader messages;
     messages.begin(**stock);

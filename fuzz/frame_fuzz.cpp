@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/check.h"
-#include "formats/bsp.h"
+#include "formats/levels/bsp.h"
 #include "render/renderer.h"
 #include "world/level.h"
 

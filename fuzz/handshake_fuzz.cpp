@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "base/check.h"
-#include "net/client_endpoint.h"
-#include "net/control.h"
-#include "net/server_endpoint.h"
+#include "net/transport/client_endpoint.h"
+#include "net/transport/control.h"
+#include "net/transport/server_endpoint.h"
 
 using namespace temblor;
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/check.h"
-#include "formats/bsp.h"
+#include "formats/levels/bsp.h"
 #include "world/animation.h"
 #include "world/level.h"
 #include "world/trace.h"
@@ -27,11 +27,11 @@ std::vector<math::Vec3> probe_points(const world::Level& level) {
   return points;
 }
 
-void ask_leafs(const world::Level& level, const std::vector<math::Vec3>& points) {
+void ask_leaves(const world::Level& level, const std::vector<math::Vec3>& points) {
   std::vector<std::uint8_t> row;
   for (const math::Vec3& point : points) {
     const world::LeafIndex leaf = world::find_leaf(level, point);
-    CHECK(base::to_size(leaf) < level.leafs.size());
+    CHECK(base::to_size(leaf) < level.leaves.size());
     world::decompress_pvs(level, leaf, row);
     CHECK(row.size() == (level.visible_leaf_count + 7) / 8);
   }
@@ -76,7 +76,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto level = temblor::world::make_level(std::move(bsp).value(), "fuzzed");
   if (!level.ok()) return 0;
   const std::vector<temblor::math::Vec3> points = probe_points(**level);
-  ask_leafs(**level, points);
+  ask_leaves(**level, points);
   ask_traces(**level, points);
   check_faces(**level);
   return 0;

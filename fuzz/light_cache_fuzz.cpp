@@ -10,8 +10,8 @@
 #include "base/bytes.h"
 #include "base/check.h"
 #include "base/hash.h"
-#include "compiler/light/shadow_record.h"
-#include "compiler/light_cache.h"
+#include "compiler/light/light_cache.h"
+#include "compiler/light/shadows/shadow_record.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/check.h"
-#include "formats/lit.h"
+#include "formats/levels/lit.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto bytes = std::as_bytes(std::span(data, size));

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/check.h"
-#include "formats/map.h"
+#include "formats/levels/map.h"
 
 using namespace temblor;
 

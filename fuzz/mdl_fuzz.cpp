@@ -4,7 +4,7 @@
 #include <span>
 
 #include "base/check.h"
-#include "formats/mdl.h"
+#include "formats/models/mdl.h"
 
 using namespace temblor;
 

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "base/check.h"
-#include "net/message_reader.h"
-#include "net/message_writer.h"
+#include "net/protocol/message_reader.h"
+#include "net/protocol/message_writer.h"
 
 using namespace temblor;
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/check.h"
-#include "formats/pak.h"
+#include "formats/archives/pak.h"
 
 using namespace temblor;
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/check.h"
-#include "formats/palette.h"
+#include "formats/images/palette.h"
 
 using namespace temblor;
 

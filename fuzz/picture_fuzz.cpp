@@ -4,7 +4,7 @@
 #include <span>
 
 #include "base/check.h"
-#include "formats/picture.h"
+#include "formats/images/picture.h"
 
 using namespace temblor;
 

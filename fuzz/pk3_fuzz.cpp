@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/check.h"
-#include "formats/pk3.h"
+#include "formats/archives/pk3.h"
 
 using namespace temblor;
 

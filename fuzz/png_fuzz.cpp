@@ -1,13 +1,13 @@
 // Any bytes, with the checksums of a PNG's chunks put right so that damage gets past them: an error, or an
-// image whose colours read back equal from what is written of it.
+// image whose colors read back equal from what is written of it.
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "base/check.h"
-#include "formats/image.h"
-#include "formats/png.h"
+#include "formats/images/image.h"
+#include "formats/images/png.h"
 
 using namespace temblor;
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/check.h"
-#include "formats/progs.h"
+#include "formats/game/progs.h"
 #include "vm/disassembly.h"
 #include "vm/machine.h"
 
@@ -26,7 +26,7 @@ constexpr vm::Limits kLimits{.call_depth = 20,
                              .entity_bytes = 1 << 20,
                              .nested_calls = 4};
 // What is run of one file.
-constexpr std::size_t kMostFunctions = 16;
+constexpr std::size_t kMaxFunctions = 16;
 
 base::Status spawn(vm::Machine& io_machine) {
   TRY_STATUS(io_machine.set_entity_count(io_machine.entity_count() + 1));
@@ -88,7 +88,7 @@ Outcome run(const std::shared_ptr<const vm::Program>& program, bool is_traced) {
   std::uint64_t lines = 0;
   if (is_traced) machine.set_tracer([&](std::string_view) { ++lines; });
   Outcome outcome;
-  for (std::size_t i = 1; i < std::min(program->progs().functions.size(), kMostFunctions); ++i) {
+  for (std::size_t i = 1; i < std::min(program->progs().functions.size(), kMaxFunctions); ++i) {
     machine.protect_world(i % 2 == 0);
     const base::Status status = machine.call(base::to_index<vm::FunctionIndex>(i));
     outcome.errors.push_back(status.ok() ? "" : status.error().what);
@@ -115,7 +115,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   CHECK(*back == *progs);
   const auto program = vm::Program::load(std::move(*progs));
   if (!program.ok()) return 0;
-  for (std::size_t i = 1; i < (*program)->progs().functions.size() && i < kMostFunctions; ++i)
+  for (std::size_t i = 1; i < (*program)->progs().functions.size() && i < kMaxFunctions; ++i)
     CHECK(!vm::disassemble(**program, base::to_index<vm::FunctionIndex>(i)).empty());
   const Outcome traced = run(*program, true), untraced = run(*program, false);
   CHECK(traced == untraced, "{} instructions and {}", traced.instructions, untraced.instructions);

@@ -5,9 +5,9 @@
 #include <span>
 
 #include "base/check.h"
-#include "formats/dem.h"
-#include "net/message_reader.h"
-#include "net/message_writer.h"
+#include "formats/game/dem.h"
+#include "net/protocol/message_reader.h"
+#include "net/protocol/message_writer.h"
 
 using namespace temblor;
 

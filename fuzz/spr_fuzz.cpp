@@ -5,8 +5,8 @@
 #include <span>
 
 #include "base/check.h"
-#include "formats/group_time.h"
-#include "formats/spr.h"
+#include "formats/models/group_time.h"
+#include "formats/models/spr.h"
 
 using namespace temblor;
 

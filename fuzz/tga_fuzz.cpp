@@ -4,7 +4,7 @@
 #include <span>
 
 #include "base/check.h"
-#include "formats/image.h"
+#include "formats/images/image.h"
 
 using namespace temblor;
 

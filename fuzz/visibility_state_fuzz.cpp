@@ -7,8 +7,8 @@
 #include "base/bytes.h"
 #include "base/check.h"
 #include "base/hash.h"
-#include "compiler/visibility.h"
-#include "compiler/visibility_state.h"
+#include "compiler/vis/visibility.h"
+#include "compiler/vis/visibility_state.h"
 
 namespace {
 

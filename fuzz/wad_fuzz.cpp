@@ -6,9 +6,9 @@
 #include <span>
 
 #include "base/check.h"
-#include "formats/wad.h"
-#include "formats/wad3_texture.h"
-#include "formats/wad_texture.h"
+#include "formats/archives/wad.h"
+#include "formats/images/wad3_texture.h"
+#include "formats/images/wad_texture.h"
 
 using namespace temblor;
 

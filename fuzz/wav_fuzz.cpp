@@ -4,7 +4,7 @@
 #include <span>
 
 #include "base/check.h"
-#include "formats/wav.h"
+#include "formats/sounds/wav.h"
 
 using namespace temblor;
 

@@ -1,12 +1,12 @@
-# The shipped levels: game/maps/NAME.recipe -> work/maps/NAME.map -> id1/maps/NAME.bsp (and .lit where light has colours),
+# The shipped levels: game/maps/NAME.level -> work/maps/NAME.map -> id1/maps/NAME.bsp (and .lit where light has colors),
 # one after another, as each compilation uses all cores.
 set(maps_work "${CMAKE_CURRENT_BINARY_DIR}/work")
 set(maps_folder "${CMAKE_CURRENT_BINARY_DIR}/id1/maps")
 set_property(GLOBAL APPEND PROPERTY JOB_POOLS temblor_maps=1)
 
-file(GLOB_RECURSE texture_recipes CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/art/textures/*.recipe")
-file(GLOB map_recipes CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/maps/*.recipe")
-if(NOT texture_recipes OR NOT map_recipes)
+file(GLOB_RECURSE texture_scripts CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/art/textures/*.art")
+file(GLOB level_scripts CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/maps/*.level")
+if(NOT texture_scripts OR NOT level_scripts)
   return()
 endif()
 
@@ -14,7 +14,7 @@ set(textures_wad "${maps_work}/textures.wad")
 add_custom_command(
   OUTPUT "${textures_wad}"
   COMMAND temblor art "${CMAKE_CURRENT_SOURCE_DIR}/art/textures" -o "${maps_work}"
-  DEPENDS ${texture_recipes} "$<TARGET_FILE:temblor_artgen>"
+  DEPENDS ${texture_scripts} "$<TARGET_FILE:temblor_artgen>"
   COMMENT "Textures"
   VERBATIM)
 
@@ -23,8 +23,8 @@ add_custom_command(
 set(compile "\"$0\" compile --clean \"$1\" --wad \"$2\" -o \"$3\" > \"$3.txt\" 2> \"$3.err\" && ! grep -v \"$4\" \"$3.err\" || { cat \"$3.err\"; exit 1; }")
 set(note_of_boxes "no entity has a place\\|no info_player_start")
 set(install_level "cp \"$0\" \"$1\" && if test -e \"$2\"; then cp \"$2\" \"$1\"; fi")
-foreach(recipe IN LISTS map_recipes)
-  get_filename_component(name "${recipe}" NAME_WE)
+foreach(script IN LISTS level_scripts)
+  get_filename_component(name "${script}" NAME_WE)
   set(map "${maps_work}/maps/${name}.map")
   set(level "${maps_work}/maps/${name}.bsp")
   set(expected "^$")
@@ -33,8 +33,8 @@ foreach(recipe IN LISTS map_recipes)
   endif()
   add_custom_command(
     OUTPUT "${map}"
-    COMMAND temblor art "${recipe}" -o "${maps_work}"
-    DEPENDS "${recipe}" "$<TARGET_FILE:temblor_artgen>"
+    COMMAND temblor art "${script}" -o "${maps_work}"
+    DEPENDS "${script}" "$<TARGET_FILE:temblor_artgen>"
     COMMENT "Plan ${name}"
     VERBATIM)
   add_custom_command(

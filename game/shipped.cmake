@@ -1,14 +1,14 @@
-# The game that ships, as a base folder: build/PRESET/game with id1 in it. Art and sound come from recipes, levels from
+# The game that ships, as a base folder: build/PRESET/game with id1 in it. Art and sound come from scripts, levels from
 # plans. They are made again when their text or the library that makes them has changed, not whenever the program has.
 set(shipped "${CMAKE_CURRENT_BINARY_DIR}/id1")
 
-file(GLOB_RECURSE recipes CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/art/*.recipe")
+file(GLOB_RECURSE scripts CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/art/*.art")
 set(art_made "${CMAKE_CURRENT_BINARY_DIR}/art.made")
 add_custom_command(
   OUTPUT "${art_made}"
   COMMAND temblor art "${CMAKE_CURRENT_SOURCE_DIR}/art" -o "${shipped}"
   COMMAND "${CMAKE_COMMAND}" -E touch "${art_made}"
-  DEPENDS ${recipes} "$<TARGET_FILE:temblor_artgen>"
+  DEPENDS ${scripts} "$<TARGET_FILE:temblor_artgen>"
   COMMENT "Art and sound of the shipped game"
   VERBATIM)
 add_custom_target(game_art ALL DEPENDS "${art_made}")
@@ -19,9 +19,9 @@ if(NOT TEMBLOR_FTEQCC)
 endif()
 
 # A recording needs all levels: items whose models are levels of their own lie in each, and an exit leads on to another.
-file(GLOB level_recipes CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/maps/*.recipe")
-foreach(recipe IN LISTS level_recipes)
-  get_filename_component(name "${recipe}" NAME_WE)
+file(GLOB level_scripts CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/maps/*.level")
+foreach(script IN LISTS level_scripts)
+  get_filename_component(name "${script}" NAME_WE)
   list(APPEND all_levels "${shipped}/maps/${name}.bsp")
 endforeach()
 
@@ -33,8 +33,8 @@ function(temblor_recording level file)
   add_custom_command(
     OUTPUT "${file}"
     COMMAND "${CMAKE_COMMAND}" -E make_directory "${folder}"
-    COMMAND bash -c "${play}" "$<TARGET_FILE:game_player>" "${CMAKE_CURRENT_BINARY_DIR}" "${file}" ${level} ${ARGN}
-    DEPENDS ${all_levels} "${shipped}/progs.dat" "${art_made}" game_player
+    COMMAND bash -c "${play}" "$<TARGET_FILE:scripted_player>" "${CMAKE_CURRENT_BINARY_DIR}" "${file}" ${level} ${ARGN}
+    DEPENDS ${all_levels} "${shipped}/progs.dat" "${art_made}" scripted_player
     COMMENT "Recording of ${level}"
     VERBATIM)
 endfunction()

@@ -15,7 +15,7 @@ for i in "${!pieces[@]}"; do
     --frames "$first:$last" -o "$folder/$i.mp4"
   inputs+=(-i "$folder/$i.mp4")
 done
-# Drawn large and made small, it has smooth edges; few colours and a fixed pattern of dots keep it small.
+# Drawn large and made small, it has smooth edges; few colors and a fixed pattern of dots keep it small.
 small="concat=n=${#pieces[@]},fps=9,scale=360:-1:flags=area,split[a][b]"
-colours="[a]palettegen=max_colors=128[p];[b][p]paletteuse=dither=bayer:bayer_scale=5:diff_mode=rectangle"
-ffmpeg -v error -y "${inputs[@]}" -filter_complex "$small;$colours" "$out"
+colors="[a]palettegen=max_colors=128[p];[b][p]paletteuse=dither=bayer:bayer_scale=5:diff_mode=rectangle"
+ffmpeg -v error -y "${inputs[@]}" -filter_complex "$small;$colors" "$out"

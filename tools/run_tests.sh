@@ -98,7 +98,7 @@ step "release: build and test"
 check "release build" build release && suite release
 release_s=$SECONDS
 
-step "asan: build and test with the address and undefined-behaviour sanitizers"
+step "asan: build and test with the address and undefined-behavior sanitizers"
 if there_is_time asan 140; then check "asan build" build asan && suite asan; fi
 
 step "tsan: build and test what runs on several threads"

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Usage: tools/texture_sheet.py FOLDER SHEET.png [MIP]: all textures of FOLDER/textures.wad, with their names, as one
-picture in the colours of FOLDER/gfx/palette.lmp."""
+picture in the colors of FOLDER/gfx/palette.lmp."""
 import struct
 import sys
 import zlib
 
 WIDTH, GAP, LABEL = 1120, 4, 9
-INK, GROUND = 14, 1  # of the palette's greys
+INK, GROUND = 14, 1  # of the palette's grays
 
 # Letters 3 x 5: a row each, its bits from the left.
 LETTERS = {

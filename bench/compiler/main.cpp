@@ -22,9 +22,9 @@
 #include <vector>
 
 #include "compiler/compiled_maps.h"
-#include "compiler/sight_lines.h"
+#include "compiler/vis/sight_lines.h"
+#include "support/pictures/seen_area.h"
 #include "support/random.h"
-#include "support/seen_area.h"
 #include "world/visibility.h"
 
 namespace temblor::bench {
@@ -37,7 +37,7 @@ constexpr int kRuns = 5;
 struct Goals {
   const char* map;
   double bsp_s, visibility_s, light_s;  // CPU seconds
-  double leafs_seen_percent;            // of the existing tool
+  double leaves_seen_percent;           // of the existing tool
   double fast_s;                        // 0: none
   int runs;  // of one thread and of two: what takes tenths of a second is disturbed by little
 };
@@ -237,8 +237,8 @@ void print_map(const fs::path& data, const Goals& goals, const ProgramCosts& cos
             goals.fast_s > 0 ? fmt::format("under {} s", goals.fast_s) : "-");
   print_row("peak memory, whole program", fmt::format("{:.0f} MB", costs.peak_megabytes), "under 300 MB");
   const compiler::Build& level = one.front().level;
-  print_row("leafs seen on average", fmt::format("{:.1f} %", level.mean_visible_share.value_or(1) * 100),
-            fmt::format("(existing tool {} %)", goals.leafs_seen_percent));
+  print_row("leaves seen on average", fmt::format("{:.1f} %", level.mean_visible_share.value_or(1) * 100),
+            fmt::format("(existing tool {} %)", goals.leaves_seen_percent));
   print_row("area of faces seen / finished level's", fmt::format("{:.3f}", area_share(data, name, level.bsp)),
             "at most 1.05");
 }

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/served/crowd.h"
+#include "bench/client_server/crowd.h"
 #include "host/host.h"
 #include "platform/headless/window.h"
 #include "support/random.h"

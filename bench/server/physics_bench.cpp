@@ -8,7 +8,7 @@
 
 #include "artgen/small_level.h"
 #include "base/check.h"
-#include "formats/bsp.h"
+#include "formats/levels/bsp.h"
 #include "server/test_world.h"
 #include "support/game_data.h"
 #include "support/random.h"

@@ -1,7 +1,7 @@
 // The QuakeC machine: instructions a second, and what calls cost. Statements are such as fteqcc writes.
 #include <benchmark/benchmark.h>
 
-#include "support/progs_builder.h"
+#include "support/programs/progs_builder.h"
 #include "vm/machine.h"
 
 namespace temblor::bench {

@@ -6,17 +6,17 @@
 #include <algorithm>
 #include <span>
 
-#include "app/art_command.h"
-#include "app/bench_command.h"
-#include "app/command_line.h"
-#include "app/compile_command.h"
-#include "app/diagnostics.h"
-#include "app/inspect_command.h"
-#include "app/play_command.h"
-#include "app/render_command.h"
-#include "app/serve_command.h"
-#include "app/settings_command.h"
-#include "app/stock_arguments.h"
+#include "app/commands/art_command.h"
+#include "app/commands/bench_command.h"
+#include "app/commands/command_line.h"
+#include "app/commands/compile_command.h"
+#include "app/commands/inspect_command.h"
+#include "app/commands/legacy_arguments.h"
+#include "app/commands/play_command.h"
+#include "app/commands/render_command.h"
+#include "app/commands/serve_command.h"
+#include "app/commands/settings_command.h"
+#include "app/files/diagnostics.h"
 #include "command/variables.h"
 #include "host/host_variables.h"
 
@@ -99,7 +99,7 @@ std::vector<std::string> words_for_parser(const CLI::App& program, std::span<con
   std::vector<std::string> commands;
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
     commands.push_back(command->get_name());
-  std::vector<std::string> words = from_stock_arguments(arguments, commands);
+  std::vector<std::string> words = from_legacy_arguments(arguments, commands);
   std::reverse(words.begin(), words.end());
   return words;
 }

@@ -8,44 +8,44 @@
 #include <optional>
 #include <utility>
 
+#include "artgen/level_script/level_maker.h"
 #include "artgen/models/model.h"
 #include "artgen/palette.h"
-#include "artgen/parts.h"
 #include "artgen/pictures/picture_makers.h"
-#include "artgen/plans/level_maker.h"
-#include "artgen/sounds/music_maker.h"
+#include "artgen/scripts/parts.h"
+#include "artgen/sounds/music/music_maker.h"
 #include "artgen/sounds/sound_maker.h"
 #include "artgen/textures/texture.h"
 #include "base/text.h"
-#include "formats/palette.h"
-#include "formats/wad.h"
+#include "formats/archives/wad.h"
+#include "formats/images/palette.h"
 
 namespace temblor::artgen {
 namespace {
 
 struct Thing {
-  const RecipeFile* file = nullptr;
-  const RecipeLine* line = nullptr;
+  const ScriptFile* file = nullptr;
+  const ScriptLine* line = nullptr;
 };
 
-// Ordered, so that files do not depend on the recipes' order.
+// Ordered, so that files do not depend on the scripts' order.
 using Lumps = std::map<std::string, ArtPart>;
 using Files = std::map<std::string, Lumps>;
 
-base::Result<std::vector<ArtPart>> make_thing(const RecipeLine& thing, const Parts& shared) {
-  TRY(const RecipeLine whole, with_parts(thing, shared));
+base::Result<std::vector<ArtPart>> make_thing(const ScriptLine& thing, const Parts& shared) {
+  TRY(const ScriptLine whole, with_parts(thing, shared));
   for (const ArtMaker& maker : art_makers())
     if (maker.word == thing.word) return maker.make(whole);
-  return recipe_error(thing, "there is no such kind of things");
+  return script_error(thing, "there is no such kind of things");
 }
 
-base::Status add_parts(const RecipeLine& thing, std::vector<ArtPart> parts, Files& io_files) {
+base::Status add_parts(const ScriptLine& thing, std::vector<ArtPart> parts, Files& io_files) {
   for (ArtPart& part : parts) {
     Lumps& lumps = io_files[part.path];
     const bool mixed = !lumps.empty() && lumps.begin()->first.empty() != part.lump.empty();
     const std::string lump = base::to_lower(part.lump);
     if (mixed || lumps.contains(lump))
-      return recipe_error(thing, fmt::format("another thing is {} already",
+      return script_error(thing, fmt::format("another thing is {} already",
                                              part.lump.empty() ? part.path : part.path + ": " + part.lump));
     lumps.emplace(lump, std::move(part));
   }
@@ -82,15 +82,15 @@ std::span<const ArtMaker> art_makers() {
   return kMakers;
 }
 
-base::Result<std::vector<ArtFile>> make_art(std::span<const RecipeFile> recipes, base::Jobs& jobs) {
+base::Result<std::vector<ArtFile>> make_art(std::span<const ScriptFile> scripts, base::Jobs& jobs) {
   std::vector<Thing> things;
   Parts shared;
-  for (const RecipeFile& recipe : recipes) {
-    for (const RecipeLine& line : recipe.things) {
+  for (const ScriptFile& script : scripts) {
+    for (const ScriptLine& line : script.things) {
       if (line.word == "part")
-        TRY_STATUS(add_part(line, shared).with_file(recipe.name));
+        TRY_STATUS(add_part(line, shared).with_file(script.name));
       else
-        things.push_back({&recipe, &line});
+        things.push_back({&script, &line});
     }
   }
 
@@ -100,9 +100,9 @@ base::Result<std::vector<ArtFile>> make_art(std::span<const RecipeFile> recipes,
   Files files;
   TRY_STATUS(add_parts({}, palette_parts(), files));
   for (std::size_t i = 0; i < things.size(); ++i) {
-    const std::string& recipe = things[i].file->name;
-    TRY(std::vector<ArtPart> parts, std::move(*made[i]).with_file(recipe));
-    TRY_STATUS(add_parts(*things[i].line, std::move(parts), files).with_file(recipe));
+    const std::string& script = things[i].file->name;
+    TRY(std::vector<ArtPart> parts, std::move(*made[i]).with_file(script));
+    TRY_STATUS(add_parts(*things[i].line, std::move(parts), files).with_file(script));
   }
   std::vector<ArtFile> art;
   for (auto& [path, lumps] : files) {

@@ -1,4 +1,4 @@
-// The shipped game's files, made from recipes: the same bytes every time.
+// The shipped game's files, made from scripts: the same bytes every time.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "artgen/recipe.h"
+#include "artgen/scripts/script.h"
 #include "base/bytes.h"
 #include "base/parallel_for.h"
 #include "base/result.h"
@@ -23,16 +23,16 @@ struct ArtPart {
 };
 
 // What makes one kind of things, those whose line begins with `word`. Errors begin with the line
-// (recipe_error).
+// (script_error).
 struct ArtMaker {
   std::string_view word;
-  base::Result<std::vector<ArtPart>> (*make)(const RecipeLine& thing);
+  base::Result<std::vector<ArtPart>> (*make)(const ScriptLine& thing);
 };
 std::span<const ArtMaker> art_makers();
 
-struct RecipeFile {
+struct ScriptFile {
   std::string name;  // for messages
-  std::vector<RecipeLine> things;
+  std::vector<ScriptLine> things;
 };
 
 struct ArtFile {
@@ -40,9 +40,9 @@ struct ArtFile {
   base::ByteVector bytes;
 };
 
-// Palette, colormap and what the recipes' things become, in the order of their paths. A kind of things that
-// is not known, and two things that want to be the same file or lump, are errors, which name the recipe's
+// Palette, colormap and what the scripts' things become, in the order of their paths. A kind of things that
+// is not known, and two things that want to be the same file or lump, are errors, which name the script's
 // file.
-base::Result<std::vector<ArtFile>> make_art(std::span<const RecipeFile> recipes, base::Jobs& jobs);
+base::Result<std::vector<ArtFile>> make_art(std::span<const ScriptFile> scripts, base::Jobs& jobs);
 
 }  // namespace temblor::artgen

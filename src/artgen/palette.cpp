@@ -7,12 +7,12 @@
 namespace temblor::artgen {
 namespace {
 
-// A ramp runs from `dark` to `bright` with a bend in the middle, which keeps its dark half from going grey.
-struct RampColours {
+// A ramp runs from `dark` to `bright` with a bend in the middle, which keeps its dark half from going gray.
+struct RampColors {
   formats::Rgb dark, middle, bright;
 };
 
-constexpr std::array<RampColours, 16> kRamps = {{
+constexpr std::array<RampColors, 16> kRamps = {{
     {{0, 0, 0}, {112, 112, 112}, {236, 236, 236}},
     {{10, 7, 4}, {98, 70, 43}, {196, 158, 116}},
     {{14, 6, 4}, {122, 58, 40}, {214, 140, 108}},
@@ -41,18 +41,18 @@ formats::Rgb mix(const formats::Rgb& from, const formats::Rgb& to, double fracti
 
 }  // namespace
 
-std::uint8_t ramp_colour(Ramp ramp, double brightness) {
-  const double steps = static_cast<double>(kRampColours - 1);
+std::uint8_t ramp_color(Ramp ramp, double brightness) {
+  const double steps = static_cast<double>(kRampColors - 1);
   const auto step = static_cast<std::size_t>(std::lround(std::clamp(brightness, 0.0, 1.0) * steps));
-  const std::size_t index = static_cast<std::size_t>(ramp) * kRampColours + step;
+  const std::size_t index = static_cast<std::size_t>(ramp) * kRampColors + step;
   return static_cast<std::uint8_t>(std::min<std::size_t>(index, kTransparent - 1));
 }
 
 formats::Palette make_palette() {
   formats::Palette palette;
   for (std::size_t i = 0; i < palette.size(); ++i) {
-    const RampColours& ramp = kRamps[i / kRampColours];
-    const double along = 2.0 * static_cast<double>(i % kRampColours) / static_cast<double>(kRampColours - 1);
+    const RampColors& ramp = kRamps[i / kRampColors];
+    const double along = 2.0 * static_cast<double>(i % kRampColors) / static_cast<double>(kRampColors - 1);
     palette[i] = along < 1 ? mix(ramp.dark, ramp.middle, along) : mix(ramp.middle, ramp.bright, along - 1);
   }
   palette[kTransparent] = {160, 40, 120};

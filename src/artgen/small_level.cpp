@@ -17,7 +17,7 @@
 #include "artgen/level/materials.h"
 #include "artgen/level/mesh.h"
 #include "artgen/level/plan.h"
-#include "formats/entities.h"
+#include "formats/levels/entities.h"
 
 namespace temblor::artgen {
 namespace {
@@ -41,8 +41,8 @@ class Builder {
   void add_faces(const CellGrid& grid, const GridTree& tree, std::size_t first_node);
   void add_face(const CellGrid& grid, const GridFace& face, const Corners& corners);
   void add_light(const CellGrid& grid, const GridFace& face, formats::BspFace& io_face);
-  void add_marksurfaces(const std::vector<GridTree::Leaf>& leafs);
-  void add_visibility(const std::vector<GridTree::Leaf>& leafs);
+  void add_marksurfaces(const std::vector<GridTree::Leaf>& leaves);
+  void add_visibility(const std::vector<GridTree::Leaf>& leaves);
   std::int32_t add_clip_tree(const CellGrid& grid, const math::Bounds& box, std::int32_t background);
   void add_entities();
   std::uint32_t plane_of(std::size_t axis, float distance);
@@ -76,11 +76,11 @@ formats::Bsp Builder::build() && {
   bsp_.miptexes = make_materials(options_);
   formats::BspLeaf solid;
   solid.contents = kContentsSolid;
-  bsp_.leafs.push_back(solid);
+  bsp_.leaves.push_back(solid);
   add_world();
   add_door();
   add_entities();
-  if (options_.coloured_light && options_.light) {
+  if (options_.colored_light && options_.light) {
     const base::Bytes bytes = std::as_bytes(std::span(rgb_light_));
     bsp_.bspx.push_back({"RGBLIGHTING", {bytes.begin(), bytes.end()}});
   }
@@ -90,12 +90,12 @@ formats::Bsp Builder::build() && {
 void Builder::add_world() {
   const GridTree tree = build_grid_tree(world_);
   formats::BspModel model = add_tree(world_, tree);
-  std::vector<GridTree::Leaf> leafs;
-  for (const GridTree::Leaf& leaf : tree.leafs)
-    if (leaf.contents != kContentsSolid) leafs.push_back(leaf);
-  add_marksurfaces(leafs);
-  if (options_.pvs) add_visibility(leafs);
-  model.visible_leafs = static_cast<std::int32_t>(leafs.size());
+  std::vector<GridTree::Leaf> leaves;
+  for (const GridTree::Leaf& leaf : tree.leaves)
+    if (leaf.contents != kContentsSolid) leaves.push_back(leaf);
+  add_marksurfaces(leaves);
+  if (options_.pvs) add_visibility(leaves);
+  model.visible_leaves = static_cast<std::int32_t>(leaves.size());
   for (std::size_t hull = 0; hull < 3; ++hull)
     model.head_nodes[hull + 1] = add_clip_tree(world_, kHullBoxes[hull], kContentsSolid);
   bsp_.models.push_back(model);
@@ -110,24 +110,24 @@ void Builder::add_door() {
   bsp_.models.push_back(model);
 }
 
-// Adds the nodes and leafs of a model's hull 0, and its faces.
+// Adds the nodes and leaves of a model's hull 0, and its faces.
 formats::BspModel Builder::add_tree(const CellGrid& grid, const GridTree& tree) {
   const std::size_t first_node = bsp_.nodes.size();
   std::vector<std::int32_t> leaf_children;
-  for (const GridTree::Leaf& leaf : tree.leafs) {
-    // All solid leafs are leaf 0.
+  for (const GridTree::Leaf& leaf : tree.leaves) {
+    // All solid leaves are leaf 0.
     if (leaf.contents == kContentsSolid) {
       leaf_children.push_back(~0);
       continue;
     }
-    leaf_children.push_back(~static_cast<std::int32_t>(bsp_.leafs.size()));
+    leaf_children.push_back(~static_cast<std::int32_t>(bsp_.leaves.size()));
     const math::Bounds bounds = grid.bounds(leaf.range);
     formats::BspLeaf bsp_leaf;
     bsp_leaf.contents = leaf.contents;
     bsp_leaf.mins = bounds.mins;
     bsp_leaf.maxs = bounds.maxs;
     bsp_leaf.first_marksurface = static_cast<std::uint32_t>(bsp_.marksurfaces.size());
-    bsp_.leafs.push_back(bsp_leaf);
+    bsp_.leaves.push_back(bsp_leaf);
   }
   for (const GridTree::Node& node : tree.nodes) {
     const math::Bounds bounds = grid.bounds(node.range);
@@ -198,22 +198,22 @@ bool overlap(const CellRange& a, const CellRange& b) {
   return true;
 }
 
-// `leafs`: those of the world that are not solid, as leafs 1 and on.
-void Builder::add_marksurfaces(const std::vector<GridTree::Leaf>& leafs) {
-  for (std::size_t i = 0; i < leafs.size(); ++i) {
-    formats::BspLeaf& leaf = bsp_.leafs[i + 1];
+// `leaves`: those of the world that are not solid, as leaves 1 and on.
+void Builder::add_marksurfaces(const std::vector<GridTree::Leaf>& leaves) {
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    formats::BspLeaf& leaf = bsp_.leaves[i + 1];
     leaf.first_marksurface = static_cast<std::uint32_t>(bsp_.marksurfaces.size());
     for (std::size_t face = 0; face < world_faces_.size(); ++face)
-      if (overlap(world_faces_[face].front_cells(), leafs[i].range))
+      if (overlap(world_faces_[face].front_cells(), leaves[i].range))
         bsp_.marksurfaces.push_back(static_cast<std::uint32_t>(face));
     leaf.marksurface_count = static_cast<std::uint32_t>(bsp_.marksurfaces.size()) - leaf.first_marksurface;
   }
 }
 
-void Builder::add_visibility(const std::vector<GridTree::Leaf>& leafs) {
-  const std::vector<std::vector<std::uint8_t>> rows = visible_leafs(world_, leafs);
+void Builder::add_visibility(const std::vector<GridTree::Leaf>& leaves) {
+  const std::vector<std::vector<std::uint8_t>> rows = visible_leaves(world_, leaves);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    bsp_.leafs[i + 1].visibility_offset = static_cast<std::int32_t>(bsp_.visibility.size());
+    bsp_.leaves[i + 1].visibility_offset = static_cast<std::int32_t>(bsp_.visibility.size());
     const std::vector<std::uint8_t> coded = compress_row(rows[i]);
     bsp_.visibility.insert(bsp_.visibility.end(), coded.begin(), coded.end());
   }
@@ -229,7 +229,7 @@ std::int32_t Builder::add_clip_tree(const CellGrid& grid, const math::Bounds& bo
     for (std::size_t side = 0; side < 2; ++side) {
       const std::int32_t child = node.children[side];
       clipnode.children[side] =
-          child >= 0 ? child + head : tree.leafs[static_cast<std::size_t>(~child)].contents;
+          child >= 0 ? child + head : tree.leaves[static_cast<std::size_t>(~child)].contents;
     }
     bsp_.clipnodes.push_back(clipnode);
   }
@@ -257,7 +257,7 @@ void Builder::add_entities() {
                          {"origin", vec3_text(light.origin)},
                          {"light", fmt::format("{}", light.reach)},
                          {"style", fmt::format("{}", light.style)},
-                         {"_color", vec3_text(light.colour)}}});
+                         {"_color", vec3_text(light.color)}}});
   }
   bsp_.entities = formats::write_entities(entities);
 }

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "formats/bsp.h"
+#include "formats/levels/bsp.h"
 #include "math/vec.h"
 
 namespace temblor::artgen {
@@ -18,12 +18,13 @@ struct SmallLevelOptions {
   bool wide_faces = false;             // two texels a unit, lit faces of up to 1024 texels
   bool edge_used_three_times = false;  // as some compilers' levels: faces share edges without limit
   bool missing_texture = false;        // the hall's bricks are named by the level but not in it
-  bool coloured_light = false;         // with the BSPX lump RGBLIGHTING
+  bool colored_light = false;          // with the BSPX lump RGBLIGHTING
   bool tiny = false;                   // one room with textures of 16 texels: under 20 KB as a file
   std::uint64_t seed = 1;              // of the noise in the textures
 };
 
-// Satisfies everything in formats/bsp_validate.h; fits version 29. Model 0 is the world, model 1 a door.
+// Satisfies everything in formats/levels/bsp_validate.h; fits version 29. Model 0 is the world, model 1 a
+// door.
 formats::Bsp make_small_level(const SmallLevelOptions& options = {});
 
 // The shape of that level's world: solid everywhere but for these boxes, later ones over earlier ones.

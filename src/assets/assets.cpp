@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/text.h"
-#include "formats/bsp.h"
-#include "formats/lit.h"
+#include "formats/levels/bsp.h"
+#include "formats/levels/lit.h"
 #include "vfs/disk.h"
 
 namespace temblor::assets {
@@ -21,12 +21,12 @@ struct NamedBytes {
   base::ByteVector bytes;
 };
 
-// Coloured light that fits the level, or none and a note.
+// Colored light that fits the level, or none and a note.
 std::optional<formats::Lit> fitting_lit(const NamedBytes& file, const formats::Bsp& bsp,
                                         std::vector<std::string>& io_notes) {
   base::Result<formats::Lit> lit = formats::read_lit(file.bytes).with_file(file.name);
   if (!lit.ok()) {
-    io_notes.push_back(fmt::format("{}; coloured light left out", lit.error().message()));
+    io_notes.push_back(fmt::format("{}; colored light left out", lit.error().message()));
     return std::nullopt;
   }
   if (lit->samples.size() != bsp.lighting.size() * 3) {

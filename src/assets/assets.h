@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "formats/palette.h"
+#include "formats/images/palette.h"
 #include "vfs/file_system.h"
 #include "world/level.h"
 

@@ -11,10 +11,10 @@
 #include "assets/assets.h"
 #include "assets/pictures.h"
 #include "base/result.h"
-#include "formats/image.h"
-#include "formats/mdl.h"
-#include "formats/spr.h"
-#include "formats/wav.h"
+#include "formats/images/image.h"
+#include "formats/models/mdl.h"
+#include "formats/models/spr.h"
+#include "formats/sounds/wav.h"
 #include "vfs/file_system.h"
 
 namespace temblor::assets {

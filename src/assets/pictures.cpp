@@ -9,7 +9,7 @@
 
 #include "assets/stock_pictures.h"
 #include "base/text.h"
-#include "formats/wad.h"
+#include "formats/archives/wad.h"
 
 namespace temblor::assets {
 namespace {
@@ -71,8 +71,8 @@ void load_files(const vfs::FileSystem& files, PictureMap& io_pictures, std::vect
   }
 }
 
-void stand_in(std::span<const StockPicture> stock, PictureMap& io_pictures,
-              std::vector<std::string>& io_missing) {
+void placeholder(std::span<const StockPicture> stock, PictureMap& io_pictures,
+                 std::vector<std::string>& io_missing) {
   for (const StockPicture& picture : stock)
     if (io_pictures.emplace(picture.name, formats::Picture{}).second) {
       io_pictures[picture.name] = make_checker(picture.width, picture.height);
@@ -100,9 +100,9 @@ Pictures Pictures::load(const vfs::FileSystem& files, std::vector<std::string>& 
   load_files(files, loaded.pictures_, bad);
   if (!characters) missing.emplace_back(kCharacters);
   loaded.characters_ = characters ? std::move(*characters) : make_checker(kCharactersSide, kCharactersSide);
-  stand_in(stock_wad_pictures(), loaded.pictures_, missing);
-  stand_in(stock_picture_files(), loaded.pictures_, missing);
-  loaded.stand_ins_.insert(missing.begin(), missing.end());
+  placeholder(stock_wad_pictures(), loaded.pictures_, missing);
+  placeholder(stock_picture_files(), loaded.pictures_, missing);
+  loaded.placeholders_.insert(missing.begin(), missing.end());
 
   std::string note;
   if (!missing.empty()) note = fmt::format("pictures drawn as a checker: {}", first_few(missing));
@@ -119,7 +119,7 @@ const formats::Picture* Pictures::find(std::string_view name) const {
 }
 
 const formats::Picture* Pictures::find_real(std::string_view name) const {
-  return stand_ins_.contains(base::to_lower(name)) ? nullptr : find(name);
+  return placeholders_.contains(base::to_lower(name)) ? nullptr : find(name);
 }
 
 }  // namespace temblor::assets

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/picture.h"
+#include "formats/images/picture.h"
 #include "vfs/file_system.h"
 
 namespace temblor::assets {
@@ -28,7 +28,7 @@ class Pictures {
 
  private:
   std::map<std::string, formats::Picture, std::less<>> pictures_;  // by name in lower case
-  std::set<std::string, std::less<>> stand_ins_;                   // names, as in pictures_
+  std::set<std::string, std::less<>> placeholders_;                // names, as in pictures_
   formats::Picture characters_;
 };
 

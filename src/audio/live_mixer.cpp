@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "audio/fold_events.h"
+#include "audio/mixing/fold_events.h"
 
 namespace temblor::audio {
 namespace {
@@ -11,15 +11,15 @@ namespace {
 // Frames come unevenly, and the device asks unevenly: a movement takes about as long as both.
 constexpr std::size_t kGlide_frames = kFramesPerSecond / 50;
 // Devices ask 50 times a second at least: more are waiting only where one hangs.
-constexpr std::size_t kMostPosts = 256;
+constexpr std::size_t kMaxPosts = 256;
 
 }  // namespace
 
 LiveMixer::LiveMixer() : mixer_({.keep_done_sounds = true}), music_samples_(2 * kMusicBlock_frames) {
-  for (Mail* mail : {&incoming_, &taken_}) mail->done.reserve(Mixer::kMaxVoices);
+  for (PendingEvents* mail : {&incoming_, &taken_}) mail->done.reserve(Mixer::kMaxVoices);
 }
 
-void LiveMixer::Mail::clear() {
+void LiveMixer::PendingEvents::clear() {
   scene.reset();
   for (std::size_t i = 0; i < count; ++i) events[i].clear();
   count = 0;
@@ -34,13 +34,13 @@ void LiveMixer::post(const Scene& scene, const SoundEvents& events) {
   if (events.empty()) return;
   // What a level began with before another one began is not news either.
   if (events.begins_anew) incoming_.fold_all();
-  if (incoming_.count >= kMostPosts || (events.begins_anew && incoming_.count > 0))
+  if (incoming_.count >= kMaxPosts || (events.begins_anew && incoming_.count > 0))
     return fold(events, incoming_.events[incoming_.count - 1]);
   if (incoming_.count == incoming_.events.size()) incoming_.events.emplace_back();
   incoming_.events[incoming_.count++] = events;
 }
 
-void LiveMixer::Mail::fold_all() {
+void LiveMixer::PendingEvents::fold_all() {
   for (std::size_t i = 1; i < count; ++i) {
     fold(events[i], events[0]);
     events[i].clear();

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "audio/mixer.h"
-#include "audio/music_stream.h"
+#include "audio/mixing/music_stream.h"
 
 namespace temblor::audio {
 
@@ -34,7 +34,7 @@ class LiveMixer {
   static constexpr std::size_t kMusicBlock_frames = 512;
 
   // What was posted since the last time the device asked.
-  struct Mail {
+  struct PendingEvents {
     std::optional<Scene> scene;
     std::vector<SoundEvents> events;  // the first `count`; the others only keep their memory
     std::size_t count = 0;
@@ -46,8 +46,8 @@ class LiveMixer {
   void take_mail();
 
   std::mutex mutex_;  // of `incoming_` alone, held for moments; the device's thread only tries
-  Mail incoming_;
-  Mail taken_;  // the device's thread's, as all below
+  PendingEvents incoming_;
+  PendingEvents taken_;  // the device's thread's, as all below
   Mixer mixer_;
   std::vector<float> music_samples_;
   MusicStream music_;

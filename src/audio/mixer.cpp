@@ -4,16 +4,16 @@
 #include <cmath>
 #include <utility>
 
-#include "audio/mix_kernels.h"
+#include "audio/mixing/mix_kernels.h"
 #include "base/check.h"
 #include "base/hash.h"
 
 namespace temblor::audio {
 namespace {
 
-constexpr std::size_t kLeastGlide_frames = 240;  // 5 ms
+constexpr std::size_t kMinGlide_frames = 240;  // 5 ms
 constexpr float kAmbientFade_per_frame = 100.0f / kFramesPerSecond;
-constexpr std::size_t kMostSkipped_frames = kFramesPerSecond / 10;
+constexpr std::size_t kMaxSkipped_frames = kFramesPerSecond / 10;
 
 bool is_playing(const Voice& voice) {
   return !voice.is_ending && !voice.has_ended;
@@ -26,12 +26,12 @@ bool can_be_heard(const SoundPtr& sound) {
 }  // namespace
 
 Mixer::Mixer(const MixerSettings& settings) : settings_(settings) {
-  voices_.reserve(kMostWithEnding);
-  if (settings_.keep_done_sounds) done_.reserve(kMostWithEnding);
+  voices_.reserve(kMaxWithEnding);
+  if (settings_.keep_done_sounds) done_.reserve(kMaxWithEnding);
 }
 
 void Mixer::follow(const Scene& scene, std::size_t frames) {
-  const std::size_t glide = std::max(frames, kLeastGlide_frames);
+  const std::size_t glide = std::max(frames, kMinGlide_frames);
   scene_ = scene;
   for (Voice& voice : voices_) move_voice(voice, scene_.listener, glide);
   sound_volume_.go_to(scene_.volumes.sounds, has_scene_ ? glide : 0);
@@ -66,7 +66,7 @@ void Mixer::take_ambients(const std::array<SoundPtr, kAmbients>& sounds) {
     Ambient& ambient = ambients_[kind];
     const SoundPtr sound = can_be_heard(sounds[kind]) ? sounds[kind] : nullptr;
     if (ambient.sound == sound) continue;
-    if (ambient.sound && voices_.size() < kMostWithEnding) {
+    if (ambient.sound && voices_.size() < kMaxWithEnding) {
       const float gain = ambient.level.value() / 255;
       Voice voice{.sound = ambient.sound,
                   .position = ambient.position,
@@ -127,13 +127,13 @@ void Mixer::replace(std::int32_t entity, int channel) {
 std::size_t Mixer::skip_of_duplicate(const SoundPtr& sound) {
   const auto same = [&](const Voice& voice) { return voice.is_new && voice.sound == sound; };
   if (std::none_of(voices_.begin(), voices_.end(), same)) return 0;
-  const std::size_t most = std::min(kMostSkipped_frames, sound->samples.size());
+  const std::size_t most = std::min(kMaxSkipped_frames, sound->samples.size());
   return static_cast<std::size_t>(base::mixed_bits(started_count_) % most);
 }
 
 // By the original's rule; false: all that play are worth more.
 bool Mixer::make_room() {
-  if (voices_.size() >= kMostWithEnding) return false;
+  if (voices_.size() >= kMaxWithEnding) return false;
   const auto playing = std::count_if(voices_.begin(), voices_.end(), is_playing);
   if (static_cast<std::size_t>(playing) < kMaxVoices) return true;
   Voice* shortest = nullptr;
@@ -166,9 +166,9 @@ void Mixer::mix_ambient(Ambient& io_ambient, const EarBuffers& io_ears) {
     std::size_t frames = std::min(io_ears.left.size() - done, loop.end - io_ambient.position);
     if (level.frames_left() > 0) frames = std::min(frames, level.frames_left());
     if (!level.is_silent())
-      mix_vector({io_ambient.sound->samples.data() + io_ambient.position, frames, io_ears.left.data() + done,
-                  io_ears.right.data() + done, level.value() * kFull, level.step() * kFull,
-                  level.value() * kFull, level.step() * kFull});
+      mix_simd({io_ambient.sound->samples.data() + io_ambient.position, frames, io_ears.left.data() + done,
+                io_ears.right.data() + done, level.value() * kFull, level.step() * kFull,
+                level.value() * kFull, level.step() * kFull});
     level.pass(frames);
     io_ambient.position += frames;
     if (io_ambient.position == loop.end) io_ambient.position = loop.start;

@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "audio/limiter.h"
-#include "audio/muffle.h"
+#include "audio/mixing/limiter.h"
+#include "audio/mixing/muffle.h"
+#include "audio/mixing/voice.h"
 #include "audio/scene.h"
-#include "audio/voice.h"
 
 namespace temblor::audio {
 
@@ -52,7 +52,7 @@ class Mixer {
  private:
   static constexpr std::size_t kBlock_frames = 256;
   // Those that fade out have room beside those that play.
-  static constexpr std::size_t kMostWithEnding = 2 * kMaxVoices;
+  static constexpr std::size_t kMaxWithEnding = 2 * kMaxVoices;
 
   struct Ambient {
     SoundPtr sound;

@@ -23,14 +23,14 @@ constexpr std::size_t kAmbients = 4;
 
 struct Volumes {
   float sounds = 0.7f;           // 0 to 1
-  float ambient = 0.3f;          // 0 to 1: of the levels that leafs have
+  float ambient = 0.3f;          // 0 to 1: of the levels that leaves have
   float music = 1;               // 0 to 1
   float muffled_underwater = 0;  // 0: as in air, to 1: dull
 };
 
 struct Scene {
   Listener listener;
-  std::array<std::uint8_t, kAmbients> ambient_levels{};  // 0 to 255, as leafs have them
+  std::array<std::uint8_t, kAmbients> ambient_levels{};  // 0 to 255, as leaves have them
   Volumes volumes;
 };
 

@@ -12,7 +12,7 @@
 namespace temblor::audio {
 namespace {
 
-constexpr double kFade_s = 0.001, kMostBlended_s = 0.1;
+constexpr double kFade_s = 0.001, kMaxBlended_s = 0.1;
 // More than the filter reaches to either side, in samples of whichever rate is lower.
 constexpr double kFilterReach = 64;
 
@@ -35,7 +35,7 @@ std::vector<float> folded(const formats::Wav& wav) {
 std::optional<formats::WavLoop> close_loop(std::vector<float>& io_samples, std::uint32_t frames_per_second) {
   const std::size_t length = io_samples.size();
   const std::size_t blended =
-      std::min(length / 4, static_cast<std::size_t>(kMostBlended_s * frames_per_second));
+      std::min(length / 4, static_cast<std::size_t>(kMaxBlended_s * frames_per_second));
   if (length == 0) return std::nullopt;
   for (std::size_t i = 0; i < blended; ++i) {
     const float share = static_cast<float>(i + 1) / static_cast<float>(blended);
@@ -52,7 +52,7 @@ Plan plan_without_loop(std::vector<float> source, double ratio) {
 
 Plan plan_with_loop(std::vector<float> source, const formats::WavLoop& loop, double ratio) {
   const std::size_t once = loop.end - loop.start;
-  const double repeats = std::ceil(static_cast<double>(kShortestLoop) / (static_cast<double>(once) * ratio));
+  const double repeats = std::ceil(static_cast<double>(kMinLoop) / (static_cast<double>(once) * ratio));
   const double frames = static_cast<double>(once) * std::max(repeats, 1.0);
   const auto loop_length = static_cast<std::size_t>(std::llround(frames * ratio));
   Plan plan;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "formats/wav.h"
+#include "formats/sounds/wav.h"
 
 namespace temblor::audio {
 
@@ -18,7 +18,7 @@ constexpr int kFramesPerSecond = 48000;
 // played otherwise. The longest of LibreQuake, a wind, lasts for 32 s.
 constexpr int kMaxSound_s = 60;
 // A loop that is shorter is written out several times, or mixing it would be all beginnings.
-constexpr std::size_t kShortestLoop = 1024;  // samples
+constexpr std::size_t kMinLoop = 1024;  // samples
 
 struct SoundLoop {
   std::size_t start = 0, end = 0;  // start < end <= samples.size()

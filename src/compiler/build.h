@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/bytes.h"
-#include "compiler/draft.h"
-#include "compiler/light_cache.h"
-#include "compiler/surface_keys.h"
-#include "formats/bsp.h"
-#include "formats/lit.h"
+#include "compiler/build/draft.h"
+#include "compiler/build/surface_keys.h"
+#include "compiler/light/light_cache.h"
+#include "formats/levels/bsp.h"
+#include "formats/levels/lit.h"
 
 namespace temblor::compiler {
 
@@ -37,7 +37,7 @@ struct Build {
   FaceKeys face_keys;
 
   VisibilityKind visibility = VisibilityKind::kNone;
-  std::optional<double> mean_visible_share;  // of leafs, seen from a leaf; with visibility
+  std::optional<double> mean_visible_share;  // of leaves, seen from a leaf; with visibility
   // Full visibility that is begun and not finished (visibility_state.h); empty: none. It knows by itself
   // which portals it belongs to.
   base::ByteVector visibility_state;

@@ -74,13 +74,13 @@ void write_portals(const PortalSet& set, ByteWriter& io_writer) {
   }
 }
 
-base::Result<PortalSet> read_portals(std::size_t leafs, ByteReader& io_reader) {
-  constexpr std::size_t kLeastPortalBytes = 4 * 8 + 3 * 4;
+base::Result<PortalSet> read_portals(std::size_t leaves, ByteReader& io_reader) {
+  constexpr std::size_t kMinPortalBytes = 4 * 8 + 3 * 4;
   PortalSet set;
   set.cluster_count = io_reader.u32();
   const std::size_t leaf_count = read_count(io_reader, sizeof(std::uint32_t));
   for (std::size_t i = 0; i < leaf_count; ++i) set.cluster_of_leaf.push_back(io_reader.u32());
-  set.portals.resize(read_count(io_reader, kLeastPortalBytes));
+  set.portals.resize(read_count(io_reader, kMinPortalBytes));
   const auto exists = [&](std::uint32_t cluster) { return cluster < set.cluster_count; };
   for (Portal& portal : set.portals) {
     portal.normal = read_vector(io_reader);
@@ -95,9 +95,9 @@ base::Result<PortalSet> read_portals(std::size_t leafs, ByteReader& io_reader) {
                              set.cluster_count);
   }
   if (!io_reader.ok()) return base::malformed(kCutOff, "portals");
-  if (leaf_count != leafs || set.cluster_count > leafs)
-    return base::malformed("build file: portals of {} leafs in {} clusters, the level has {} leafs",
-                           leaf_count, set.cluster_count, leafs);
+  if (leaf_count != leaves || set.cluster_count > leaves)
+    return base::malformed("build file: portals of {} leaves in {} clusters, the level has {} leaves",
+                           leaf_count, set.cluster_count, leaves);
   for (const std::uint32_t cluster : set.cluster_of_leaf)
     if (cluster != kNoCluster && !exists(cluster))
       return base::malformed("build file: a leaf of cluster {} of {}", cluster, set.cluster_count);
@@ -171,7 +171,7 @@ base::Status read_level_part(ByteReader& io_reader, Build& io_build) {
     entity.origin = read_text(io_reader);
   }
   if (!io_reader.ok()) return base::malformed(kCutOff, "brush entities");
-  TRY(io_build.portals, read_portals(io_build.bsp.leafs.size(), io_reader));
+  TRY(io_build.portals, read_portals(io_build.bsp.leaves.size(), io_reader));
   TRY(io_build.face_keys, read_face_keys(io_build.bsp.faces.size(), io_reader));
   TRY(io_build.light_cache, read_light_cache(read_block(io_reader)));
   return base::Ok{};

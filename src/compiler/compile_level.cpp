@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "base/hash.h"
-#include "compiler/bsp/level_entities.h"
-#include "compiler/build_keys.h"
-#include "compiler/build_light.h"
-#include "compiler/build_visibility.h"
-#include "compiler/level_textures.h"
-#include "compiler/tree_portals.h"
+#include "compiler/bsp/brushes/level_entities.h"
+#include "compiler/bsp/tree_portals.h"
+#include "compiler/build/build_keys.h"
+#include "compiler/build/level_textures.h"
+#include "compiler/light/build_light.h"
+#include "compiler/vis/build_visibility.h"
 
 namespace temblor::compiler {
 namespace {
@@ -70,8 +70,8 @@ bool is_up_to_date(const Build& build, StageKey brushes_key, const formats::Map&
   const auto brush_entities = std::ranges::count_if(
       map.entities, [](const formats::MapEntity& entity) { return !is_point_entity(entity); });
   if (static_cast<std::size_t>(brush_entities) != build.brush_entities.size()) return false;
-  // What visibility wrote into leafs and models is not undone, but made without.
-  if (options.visibility_wish == StageWish::kLeaveOut && build.visibility != VisibilityKind::kNone)
+  // What visibility wrote into leaves and models is not undone, but made without.
+  if (options.visibility_wish == StagePolicy::kSkip && build.visibility != VisibilityKind::kNone)
     return false;
   return build.solid_occupants_key == key_of_solid_occupants(map, build.bsp);
 }
@@ -107,7 +107,7 @@ base::Status make_brushes(const formats::Map& map, const TextureSet& textures, c
 base::Result<bool> bring_visibility(const CompileOptions& options, base::Jobs& jobs, CompileWatcher& watcher,
                                     bool leaks, Stages& io_stages, Build& io_build) {
   const VisibilityKind wanted = options.fast_visibility ? VisibilityKind::kRough : VisibilityKind::kFull;
-  if (!leaks && options.visibility_wish == StageWish::kMake && io_build.visibility != wanted) {
+  if (!leaks && options.visibility_wish == StagePolicy::kBuild && io_build.visibility != wanted) {
     TRY_STATUS(io_stages.run("visibility", [&] { return make_visibility(wanted, jobs, watcher, io_build); }));
     return true;
   }
@@ -115,16 +115,17 @@ base::Result<bool> bring_visibility(const CompileOptions& options, base::Jobs& j
   return false;
 }
 
-base::Status bring_light(const formats::Palette& palette, const CompileOptions& options, base::Jobs& jobs,
-                         CompileWatcher& watcher, Stages& io_stages, Build& io_build, Warnings& io_warnings) {
-  if (options.light_wish == StageWish::kLeaveOut) {
+base::Status update_light(const formats::Palette& palette, const CompileOptions& options, base::Jobs& jobs,
+                          CompileWatcher& watcher, Stages& io_stages, Build& io_build,
+                          Warnings& io_warnings) {
+  if (options.light_wish == StagePolicy::kSkip) {
     remove_light(io_build);
     return base::Ok{};
   }
   LightOptions how = options.light;
   how.palette = palette;
   TRY(const StageKey key, light_key_of(io_build, how));
-  if (options.light_wish == StageWish::kKeep || key == io_build.light_key) {
+  if (options.light_wish == StagePolicy::kReuse || key == io_build.light_key) {
     if (io_build.light_key == 0) return base::Ok{};  // none, or not ours
     io_stages.keep("light");
     return keep_light(io_build);
@@ -137,7 +138,7 @@ base::Status finish(const formats::Palette& palette, const CompileOptions& optio
                     CompileWatcher& watcher, bool leaks, Stages& io_stages, Build& io_build,
                     Warnings& io_warnings) {
   TRY(const bool has_new_visibility, bring_visibility(options, jobs, watcher, leaks, io_stages, io_build));
-  TRY_STATUS(bring_light(palette, options, jobs, watcher, io_stages, io_build, io_warnings));
+  TRY_STATUS(update_light(palette, options, jobs, watcher, io_stages, io_build, io_warnings));
   // Only now is it in a level that will be written. A state that is still there is of other portals.
   if (has_new_visibility && io_build.visibility == VisibilityKind::kFull) io_build.visibility_state.clear();
   return base::Ok{};

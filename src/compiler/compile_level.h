@@ -10,25 +10,25 @@
 #include "base/parallel_for.h"
 #include "base/result.h"
 #include "compiler/build.h"
-#include "compiler/compile_watcher.h"
-#include "compiler/light_level.h"
+#include "compiler/build/compile_watcher.h"
+#include "compiler/light/light_level.h"
 #include "compiler/make_draft.h"
 #include "compiler/report.h"
 #include "compiler/texture_set.h"
 
 namespace temblor::compiler {
 
-enum class StageWish : std::uint8_t {
-  kMake,      // as the map and the options ask for it
-  kKeep,      // as it is, if it still fits the brushes; else left out
-  kLeaveOut,  // without visibility everything is drawn, without light everything is bright
+enum class StagePolicy : std::uint8_t {
+  kBuild,  // as the map and the options ask for it
+  kReuse,  // as it is, if it still fits the brushes; else left out
+  kSkip,   // without visibility everything is drawn, without light everything is bright
 };
 
 struct CompileOptions {
   DraftOptions draft;
   LightOptions light;  // its palette is filled in
   MipLevels mip_levels = MipLevels::kFromSource;
-  StageWish visibility_wish = StageWish::kMake, light_wish = StageWish::kMake;
+  StagePolicy visibility_wish = StagePolicy::kBuild, light_wish = StagePolicy::kBuild;
   bool fast_visibility = false;  // from the sides of planes alone
   bool bsp2 = false;             // though the level fits the original's format
 };
@@ -39,7 +39,7 @@ struct StageTime {
 };
 
 struct CompileReport {
-  std::optional<LeakWay> leak;  // then there is no visibility
+  std::optional<LeakPath> leak;  // then there is no visibility
   std::vector<StageTime> times;
 };
 

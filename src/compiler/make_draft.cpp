@@ -5,13 +5,13 @@
 #include <mutex>
 
 #include "base/text.h"
+#include "compiler/bsp/brushes/expand_brush.h"
+#include "compiler/bsp/brushes/level_brushes.h"
 #include "compiler/bsp/cluster_portals.h"
-#include "compiler/bsp/expand_brush.h"
-#include "compiler/bsp/faces.h"
+#include "compiler/bsp/faces/faces.h"
 #include "compiler/bsp/fence_sight.h"
 #include "compiler/bsp/fill_outside.h"
 #include "compiler/bsp/leaf_portals.h"
-#include "compiler/bsp/level_brushes.h"
 #include "compiler/bsp/level_writer.h"
 #include "compiler/bsp/second_tree.h"
 #include "compiler/bsp/tree.h"
@@ -149,13 +149,13 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   DraftResult result;
   result.is_region = level.is_region;
   LevelWriter writer(level.planes);
-  std::vector<std::uint32_t> leafs_of_world;
+  std::vector<std::uint32_t> leaves_of_world;
 
   for (std::size_t model = 0; model < models; ++model) {
     const Partition& drawn = parts[model * kTrees];
-    const std::vector<std::uint32_t> leafs =
+    const std::vector<std::uint32_t> leaves =
         writer.add_model(drawn.tree, drawn.portals.portals, drawn.faces, box_of(level.models[model]));
-    if (model == 0) leafs_of_world = leafs;
+    if (model == 0) leaves_of_world = leaves;
 
     for (std::size_t hull = 1; hull < kTrees; ++hull)
       writer.set_hull(hull, parts[model * kTrees + hull].tree);
@@ -163,8 +163,8 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   const std::vector<std::uint32_t> surface_of_face = writer.surface_of_face();
   Draft& draft = result.draft;
   draft.bsp = std::move(writer).take();
-  draft.portals = make_cluster_portals(parts.front().tree, level.planes, leafs_of_world,
-                                       draft.bsp.leafs.size(), options.water_is_transparent);
+  draft.portals = make_cluster_portals(parts.front().tree, level.planes, leaves_of_world,
+                                       draft.bsp.leaves.size(), options.water_is_transparent);
 
   for (const Surface& surface : level.surfaces) draft.bsp.texinfos.push_back(surface.texinfo);
   for (std::size_t face = 0; face < draft.bsp.faces.size(); ++face) {
@@ -177,8 +177,8 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   draft.surface_keys = std::move(level.surface_keys);
   if (const auto& leak = parts.front().leak) {
     const std::size_t entity = level.entity_of_occupant[leak->entity];
-    result.leak = LeakWay{entity, map.entities[entity].line,
-                          base::quotable(map.entities[entity].fields.classname()), leak->way_world};
+    result.leak = LeakPath{entity, map.entities[entity].line,
+                           base::quotable(map.entities[entity].fields.classname()), leak->way_world};
   }
   for (std::size_t hull = 1; hull < kTrees; ++hull)
     result.clip_hulls_leak |= !result.leak && parts[hull].leak.has_value();

@@ -8,9 +8,9 @@
 
 #include "base/parallel_for.h"
 #include "base/result.h"
-#include "compiler/draft.h"
+#include "compiler/build/draft.h"
 #include "compiler/report.h"
-#include "formats/map.h"
+#include "formats/levels/map.h"
 
 namespace temblor::compiler {
 
@@ -21,7 +21,7 @@ struct DraftOptions {
 };
 
 // How a level that is not closed leaks: from an entity to the outside.
-struct LeakWay {
+struct LeakPath {
   std::size_t entity;                     // of the map
   std::uint32_t line;                     // of the entity, in the map's text
   std::string classname;                  // as much of it as a message can bear
@@ -30,7 +30,7 @@ struct LeakWay {
 
 struct DraftResult {
   Draft draft;  // its textures are names without pictures
-  std::optional<LeakWay> leak;
+  std::optional<LeakPath> leak;
   bool clip_hulls_leak = false;  // where what is drawn does not: what seals is not in them (_hulls)
   bool is_region = false;        // only a part of the map is in it
 };

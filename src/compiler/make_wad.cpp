@@ -8,19 +8,19 @@
 #include "base/text.h"
 #include "compiler/textures/texture_from_image.h"
 #include "compiler/textures/texture_sources.h"
-#include "formats/image.h"
-#include "formats/wad.h"
+#include "formats/archives/wad.h"
+#include "formats/images/image.h"
 
 namespace temblor::compiler {
 namespace {
 
 base::Result<base::ByteVector> make_lump(std::string_view name, base::Bytes png,
-                                         const formats::MipColours& colours) {
+                                         const formats::MipColors& colors) {
   if (name.empty() || name.size() > kLevelNameChars)
     return base::error(base::ErrorCode::kUsage, "\"{}\": a texture's name has 1 to {} characters",
                        base::printable(name), kLevelNameChars);
   TRY(const formats::Image image, formats::read_png(png));
-  TRY(const formats::WadTexture texture, texture_from_image(name, image, colours));
+  TRY(const formats::WadTexture texture, texture_from_image(name, image, colors));
   return formats::write_wad_texture(texture);
 }
 
@@ -33,7 +33,7 @@ std::string texture_name_of_file(std::string_view file_name) {
 }
 
 base::Result<base::ByteVector> make_wad(std::span<const PngFile> files, const formats::Palette& palette) {
-  const formats::MipColours colours(palette);
+  const formats::MipColors colors(palette);
   std::map<std::string, std::string> file_of_name;
   std::vector<base::ByteVector> contents;
   contents.reserve(files.size());
@@ -43,7 +43,7 @@ base::Result<base::ByteVector> make_wad(std::span<const PngFile> files, const fo
     const auto [first, is_new] = file_of_name.try_emplace(texture_key(name), file.name);
     if (!is_new)
       return base::Error{base::ErrorCode::kUsage, "makes the same texture as " + first->second, file.name};
-    TRY(base::ByteVector lump, make_lump(name, file.bytes, colours).with_file(file.name));
+    TRY(base::ByteVector lump, make_lump(name, file.bytes, colors).with_file(file.name));
     contents.push_back(std::move(lump));
     lumps.push_back({std::move(name), formats::kWadTexture, contents.back()});
   }

@@ -7,7 +7,7 @@
 
 #include "base/bytes.h"
 #include "base/result.h"
-#include "formats/palette.h"
+#include "formats/images/palette.h"
 
 namespace temblor::compiler {
 
@@ -20,8 +20,8 @@ struct PngFile {
 std::string texture_name_of_file(std::string_view file_name);
 
 // The bytes of a WAD2, textures in the order of the files, in the game's palette and with all mip levels
-// built. Names starting with { have holes where pixels are less than half opaque; colours are full-bright
-// only where they are exactly one of the palette's full-bright colours.
+// built. Names starting with { have holes where pixels are less than half opaque; colors are full-bright
+// only where they are exactly one of the palette's full-bright colors.
 //
 // Errors name the file: no PNG, sides that are no multiples of 16, a name that is empty or longer than the 15
 // characters that a level has room for, or that an earlier file has, but for case.

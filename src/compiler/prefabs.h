@@ -8,7 +8,7 @@
 #include "base/function_ref.h"
 #include "base/result.h"
 #include "compiler/report.h"
-#include "formats/map.h"
+#include "formats/levels/map.h"
 
 namespace temblor::compiler {
 

@@ -10,7 +10,7 @@
 
 #include "base/text.h"
 #include "compiler/textures/texture_sources.h"
-#include "formats/build_mips.h"
+#include "formats/images/build_mips.h"
 
 namespace temblor::compiler {
 namespace {
@@ -36,12 +36,12 @@ std::string quoted_name(std::string_view name) {
 
 formats::BspMiptex checker(std::string_view name) {
   constexpr std::uint32_t kSide = 64, kSquare = 8;
-  constexpr std::array<std::uint8_t, 2> kColours{0, 251};  // black and a full-bright red, to be noticed
+  constexpr std::array<std::uint8_t, 2> kColors{0, 251};  // black and a full-bright red, to be noticed
   formats::BspMiptex miptex{true, std::string(name.substr(0, kLevelNameChars)), kSide, kSide, {}};
   for (unsigned k = 0; k < miptex.mips.size(); ++k)
     for (std::uint32_t y = 0; y < kSide >> k; ++y)
       for (std::uint32_t x = 0; x < kSide >> k; ++x)
-        miptex.mips[k].push_back(kColours[((x << k) / kSquare + (y << k) / kSquare) % kColours.size()]);
+        miptex.mips[k].push_back(kColors[((x << k) / kSquare + (y << k) / kSquare) % kColors.size()]);
   return miptex;
 }
 
@@ -126,9 +126,9 @@ class TextureSetMaker {
   }
 
   void build_all_mips(formats::BspMiptex& io_miptex) {
-    if (!mip_colours_) mip_colours_.emplace(palette_);
+    if (!mip_colors_) mip_colors_.emplace(palette_);
     io_miptex.mips = formats::build_mips(std::move(io_miptex.mips[0]), io_miptex.width, io_miptex.height,
-                                         io_miptex.name.starts_with('{'), *mip_colours_);
+                                         io_miptex.name.starts_with('{'), *mip_colors_);
   }
 
   template <typename... Args>
@@ -140,7 +140,7 @@ class TextureSetMaker {
   TextureSources sources_;
   std::size_t source_count_;
   const formats::Palette& palette_;
-  std::optional<formats::MipColours> mip_colours_;
+  std::optional<formats::MipColors> mip_colors_;
   MipLevels mip_levels_;
   Warnings& warnings_;
   std::vector<Wanted> wanted_;

@@ -11,8 +11,8 @@
 
 #include "base/bytes.h"
 #include "compiler/report.h"
-#include "formats/bsp.h"
-#include "formats/palette.h"
+#include "formats/images/palette.h"
+#include "formats/levels/bsp.h"
 
 namespace temblor::compiler {
 

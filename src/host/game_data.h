@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "assets/library.h"
-#include "client/presentation.h"
+#include "client/view/presentation.h"
 #include "render/renderer.h"
 
 namespace temblor::host {

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "command/text.h"
-#include "host/host_commands.h"
+#include "host/commands/host_commands.h"
 
 namespace temblor::host {
 namespace {
@@ -246,7 +246,7 @@ void Host::follow_variables() {
   if (search_.update(now_s_)) menu_->refresh();
 }
 
-// Who changes his name or colours does so in the game that runs.
+// Who changes his name or colors does so in the game that runs.
 void Host::tell_player() {
   client::PlayerSettings player = variables_.player();
   if (client::Connection* const connection = session_->connection(); connection != nullptr) {

@@ -6,25 +6,25 @@
 #include <string>
 #include <vector>
 
-#include "client/bindings.h"
-#include "client/console_ui.h"
-#include "client/demo_controls.h"
-#include "client/demo_session.h"
-#include "client/menu.h"
-#include "client/player_input.h"
-#include "client/prediction.h"
-#include "client/presentation.h"
-#include "client/sound_output.h"
+#include "client/console/console_ui.h"
+#include "client/demo/demo_controls.h"
+#include "client/demo/demo_session.h"
+#include "client/input/bindings.h"
+#include "client/input/player_input.h"
+#include "client/menu/menu.h"
+#include "client/prediction/prediction.h"
+#include "client/view/presentation.h"
+#include "client/view/sound_output.h"
 #include "command/console.h"
-#include "host/frame_limiter.h"
 #include "host/game_data.h"
 #include "host/host_variables.h"
-#include "host/menu_lists.h"
-#include "host/screen.h"
-#include "host/server_search.h"
+#include "host/menus/menu_lists.h"
 #include "host/services.h"
-#include "host/session.h"
-#include "host/worker.h"
+#include "host/session/server_search.h"
+#include "host/session/session.h"
+#include "host/session/worker.h"
+#include "host/video/frame_limiter.h"
+#include "host/video/screen.h"
 
 namespace temblor::host {
 
@@ -151,7 +151,7 @@ class Host {
   base::Status show_demo();
   void attract_next();
   bool is_attracting() const { return !attracting_.empty(); }
-  base::Status play_neighbour(int recordings);
+  base::Status play_neighbor(int recordings);
   void make_sound();
   void rumble(const client::Events& events);
   void draw();

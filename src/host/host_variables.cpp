@@ -10,9 +10,9 @@
 namespace temblor::host {
 namespace {
 
-// In the order of platform::WindowMode, and of true colour before the palette; the first is the default.
+// In the order of platform::WindowMode, and of true color before the palette; the first is the default.
 constexpr std::array<std::string_view, 3> kModes = {"window", "borderless", "fullscreen"};
-constexpr std::array<std::string_view, 2> kColours = {"rgb", "indexed"};
+constexpr std::array<std::string_view, 2> kColors = {"rgb", "indexed"};
 
 std::vector<std::string> names_of(const command::Variables& variables) {
   std::vector<std::string> names;
@@ -36,8 +36,8 @@ HostVariables::HostVariables(command::Variables& variables)
                                "A window, all of the desktop, or a mode of the display's own.");
   display_ = variables.add_int("vid_display", 0, 0, 63, "Which display, counted from 0.");
   vsync_ = variables.add_bool("vid_vsync", window.vsync, "Waits for the display, where that is offered.");
-  colour_ = variables.add_choice("vid_color", kColours,
-                                 "True colour, or the 256 colours of the original's palette.");
+  color_ =
+      variables.add_choice("vid_color", kColors, "True color, or the 256 colors of the original's palette.");
   scale_ = variables.add_float("vid_render_scale", 1, AutomaticScale::kSmallest, 1,
                                "Part of the window's width and height that is drawn, and scaled up.");
   automatic_scale_ = variables.add_bool("vid_render_scale_auto", false,
@@ -53,8 +53,8 @@ HostVariables::HostVariables(command::Variables& variables)
   zoom_fov_ = variables.add_float("zoom_fov", 30, 10, 170, "Field of view while +zoom is held.");
   zoom_speed_ = variables.add_float("zoom_speed", 8, 0.1, 1000, "How fast the view narrows.");
   name_ = variables.add_text("name", "player", "What other players see.");
-  shirt_ = variables.add_int("topcolor", 0, 0, 13, "Colour of the shirt.");
-  pants_ = variables.add_int("bottomcolor", 0, 0, 13, "Colour of the trousers.");
+  shirt_ = variables.add_int("topcolor", 0, 0, 13, "Color of the shirt.");
+  pants_ = variables.add_int("bottomcolor", 0, 0, 13, "Color of the trousers.");
   rumble_ =
       variables.add_float("joy_rumble", 1, 0, 1, "How strongly the gamepad shakes when the player is hurt.");
   max_players_ = variables.add_int("maxplayers", 1, 1, 16, "Players in the next game that begins here.");
@@ -88,8 +88,8 @@ ScreenSettings HostVariables::screen() const {
   const auto number = [&](command::VariableIndex index) {
     return static_cast<float>(variables_->float_value(index));
   };
-  return {.format = variables_->choice_value(colour_) == 0 ? render::PixelFormat::kRgb
-                                                           : render::PixelFormat::kIndexed,
+  return {.format = variables_->choice_value(color_) == 0 ? render::PixelFormat::kRgb
+                                                          : render::PixelFormat::kIndexed,
           .scale = number(scale_),
           .automatic_scale = variables_->bool_value(automatic_scale_),
           .target_s = 1 / variables_->float_value(target_fps_),

@@ -1,14 +1,14 @@
 // All console variables of a game: the renderer's, the client's, the server's and the host's own.
 #pragma once
 
-#include "client/client_variables.h"
-#include "client/connection.h"
-#include "client/console_variables.h"
-#include "client/input_variables.h"
+#include "client/console/console_variables.h"
+#include "client/input/input_variables.h"
+#include "client/session/connection.h"
+#include "client/view/client_variables.h"
 #include "command/variables.h"
-#include "host/overrides.h"
-#include "host/render_settings.h"
-#include "host/screen.h"
+#include "host/session/overrides.h"
+#include "host/video/render_settings.h"
+#include "host/video/screen.h"
 #include "platform/window.h"
 #include "server/server_variables.h"
 
@@ -57,7 +57,7 @@ class HostVariables {
   client::InputVariables input_;
   client::ConsoleVariables console_;
   server::ServerVariables server_;
-  command::VariableIndex width_, height_, mode_, display_, vsync_, colour_, scale_, automatic_scale_,
+  command::VariableIndex width_, height_, mode_, display_, vsync_, color_, scale_, automatic_scale_,
       target_fps_, max_fps_, gamma_, contrast_, brightness_, fov_, zoom_fov_, zoom_speed_, name_, shirt_,
       pants_, rumble_, parallel_, show_speed_, show_latency_, max_players_, port_;
   std::vector<std::string> kept_;  // names of the player's own

@@ -9,7 +9,7 @@
 
 #include "base/bytes.h"
 #include "base/result.h"
-#include "net/server_endpoint.h"
+#include "net/transport/server_endpoint.h"
 #include "platform/address.h"
 #include "platform/audio_device.h"
 #include "platform/datagram_socket.h"

@@ -8,7 +8,7 @@ constexpr float kModelPitch = -1.0f / 3, kModelRoll = 4;
 
 // The way out of the water onto a ledge lasts until its time is over, or the water.
 void jump_out_of_water(Player& io_player) {
-  if (io_player.settled_in_s < 0 || io_player.water_level == 0) io_player.is_jumping_out_of_water = false;
+  if (io_player.teleport_time_s < 0 || io_player.water_level == 0) io_player.is_jumping_out_of_water = false;
   io_player.body.velocity.x = io_player.water_jump_velocity.x;
   io_player.body.velocity.y = io_player.water_jump_velocity.y;
 }
@@ -31,12 +31,12 @@ bool is_at_edge(const Player& player, base::FunctionRef<bool(const EdgeProbe&)> 
 math::Vec3 velocity_out_of_water(const Player& player, Wish wish, const Settings& settings, float tick_s,
                                  base::FunctionRef<bool(const EdgeProbe&)> is_edge) {
   // Out of a teleporter nobody backs into it again by accident.
-  if (player.settled_in_s > 0 && wish.forward < 0) wish.forward = 0;
+  if (player.teleport_time_s > 0 && wish.forward < 0) wish.forward = 0;
   math::Vec3 wished = wish_velocity(player.angles_deg, wish);
-  wished.z = player.gait == Gait::kWalk ? 0 : wish.up;
+  wished.z = player.move_mode == MoveMode::kWalk ? 0 : wish.up;
   wished = capped(wished, settings.max_speed);
 
-  if (player.gait == Gait::kNoClip) return wished;
+  if (player.move_mode == MoveMode::kNoClip) return wished;
   const math::Vec3& velocity = player.body.velocity;
   if (!player.body.on_ground) return accelerated_in_air(velocity, wished, settings, tick_s);
   const math::Vec3 slowed = slowed_on_ground(velocity, settings, tick_s, is_at_edge(player, is_edge));
@@ -53,13 +53,13 @@ void apply_wishes(Player& io_player, const Command& command, const Settings& set
   math::Vec3& velocity = io_player.body.velocity;
   if (io_player.is_jumping_out_of_water)
     jump_out_of_water(io_player);
-  else if (io_player.water_level >= kSwimmingLevel && io_player.gait != Gait::kNoClip)
+  else if (io_player.water_level >= kSwimmingLevel && io_player.move_mode != MoveMode::kNoClip)
     velocity = swum(velocity, command.view_angles_deg, command.wish, settings, tick_s);
   else
     velocity = velocity_out_of_water(io_player, command.wish, settings, tick_s, is_edge);
 }
 
-WaterAround water_around(const math::Vec3& origin, const HeightsOfBody& heights,
+WaterAround water_around(const math::Vec3& origin, const PlayerHeights& heights,
                          base::FunctionRef<world::Contents(const math::Vec3&)> contents_at) {
   const auto contents_above = [&](float height) {
     return contents_at({origin.x, origin.y, origin.z + height});

@@ -12,12 +12,12 @@ namespace temblor::movement {
 // The box of every player of stock programs, and where his eyes are.
 constexpr math::Vec3 kPlayerMins{-16, -16, -24}, kPlayerMaxs{16, 16, 32};
 
-enum class Gait : std::uint8_t { kStill, kWalk, kFly, kNoClip, kThrown };
+enum class MoveMode : std::uint8_t { kStill, kWalk, kFly, kNoClip, kThrown };
 
 struct Player {
   Body body;
   float mins_z = kPlayerMins.z;
-  Gait gait = Gait::kWalk;
+  MoveMode move_mode = MoveMode::kWalk;
   bool is_alive = true;
   bool is_turned_by_game = false;  // his model does not follow the view (fixangle)
   math::Vec3 angles_deg{0.0f};     // of his model; the directions of wishes on foot are its own
@@ -26,7 +26,7 @@ struct Player {
   bool is_jumping_out_of_water = false;
   math::Vec3 water_jump_velocity{0.0f};  // along x and y, meanwhile
   // Until then (teleport_time) a jump out of water lasts, and nobody walks backwards. Negative: since then.
-  double settled_in_s = 0;
+  double teleport_time_s = 0;
 };
 
 // Where he looks, and where he wishes to go.
@@ -50,10 +50,10 @@ constexpr int kSwimmingLevel = 2;
 constexpr bool is_liquid(world::Contents contents) {
   return contents <= world::Contents::kWater;
 }
-struct HeightsOfBody {
+struct PlayerHeights {
   float mins = kPlayerMins.z, maxs = kPlayerMaxs.z, eyes = 22;
 };
-WaterAround water_around(const math::Vec3& origin, const HeightsOfBody& heights,
+WaterAround water_around(const math::Vec3& origin, const PlayerHeights& heights,
                          base::FunctionRef<world::Contents(const math::Vec3&)> contents_at);
 
 }  // namespace temblor::movement

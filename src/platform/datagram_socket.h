@@ -13,7 +13,7 @@ struct Datagram {
   base::Bytes bytes;
 };
 
-// Never waits. Implementations: platform/posix/udp_socket.h, net/loopback.h.
+// Never waits. Implementations: platform/posix/udp_socket.h, net/transport/loopback.h.
 class DatagramSocket {
  public:
   virtual ~DatagramSocket() = default;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/index.h"
-#include "formats/mdl.h"
+#include "formats/models/mdl.h"
 #include "math/vec.h"
 
 namespace temblor::render {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "formats/palette.h"
-#include "formats/picture.h"
+#include "formats/images/palette.h"
+#include "formats/images/picture.h"
 
 namespace temblor::render {
 
@@ -17,18 +17,18 @@ struct ScreenRect {
 };
 
 // Palette index -> palette index.
-using ColourTranslation = std::array<std::uint8_t, 256>;
+using ColorTranslation = std::array<std::uint8_t, 256>;
 
 struct DrawCommand {
   // Part of a picture, each of its pixels a square of `scale` pixels; index 255 is transparent. Null: `area`
   // is filled with `fill`.
   const formats::Picture* picture = nullptr;
-  ScreenRect area;                                 // `picture` given: width and height are scale x the part's
-  int part_x = 0, part_y = 0;                      // the part's corner in the picture
-  int scale = 1;                                   // whole numbers, so that pictures stay sharp
-  std::uint8_t fill = 0;                           // palette index
-  float opacity = 1;                               // 0 to 1
-  const ColourTranslation* translation = nullptr;  // null: as they are
+  ScreenRect area;                                // `picture` given: width and height are scale x the part's
+  int part_x = 0, part_y = 0;                     // the part's corner in the picture
+  int scale = 1;                                  // whole numbers, so that pictures stay sharp
+  std::uint8_t fill = 0;                          // palette index
+  float opacity = 1;                              // 0 to 1
+  const ColorTranslation* translation = nullptr;  // null: as they are
 };
 
 struct DrawList {

@@ -7,16 +7,16 @@
 #include <span>
 
 #include "base/large_memory.h"
-#include "formats/palette.h"
+#include "formats/images/palette.h"
 
 namespace temblor::render {
 
 enum class PixelFormat { kIndexed, kRgb };
 
 // 0xffRRGGBB.
-constexpr std::uint32_t to_rgb(formats::Rgb colour) {
-  return 0xff000000u | static_cast<std::uint32_t>(colour.r) << 16 |
-         static_cast<std::uint32_t>(colour.g) << 8 | colour.b;
+constexpr std::uint32_t to_rgb(formats::Rgb color) {
+  return 0xff000000u | static_cast<std::uint32_t>(color.r) << 16 | static_cast<std::uint32_t>(color.g) << 8 |
+         color.b;
 }
 
 // Pixels and depth of one picture. Rows follow one another, `width` elements each.
@@ -94,7 +94,7 @@ struct StageTimes {
 };
 
 struct FrameStats {
-  std::uint32_t faces_in_pvs = 0;  // faces of the leafs that the eye's leaf can see
+  std::uint32_t faces_in_pvs = 0;  // faces of the leaves that the eye's leaf can see
   std::uint32_t faces_drawn = 0;   // entered in the edge list
   std::uint32_t faces_seen = 0;    // got a span
   std::uint32_t edges = 0;         // in the edge table

@@ -7,18 +7,18 @@
 
 #include "base/arena.h"
 #include "base/check.h"
-#include "render/banded_picture.h"
-#include "render/colour/colour_tables.h"
+#include "render/color/color_tables.h"
 #include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
+#include "render/frame/banded_picture.h"
+#include "render/frame/stage_clock.h"
 #include "render/screen/draw_overlay.h"
 #include "render/screen/show.h"
 #include "render/screen/tint_picture.h"
 #include "render/screen/warp.h"
-#include "render/stage_clock.h"
 #include "render/surfaces/cutout_textures.h"
-#include "render/surfaces/draw_items.h"
 #include "render/surfaces/surface_cache.h"
+#include "render/surfaces/surface_draws.h"
 #include "render/translucent/draw_translucent.h"
 #include "render/view/level_tables.h"
 #include "render/view/view_frame.h"
@@ -41,7 +41,7 @@ int choose_band_rows(const Settings& settings, int width, int height, PixelForma
 
 // Whether anything is drawn after the edge list.
 bool needs_depth(const Scene& scene, const EdgeTable& edges) {
-  return edges.late_count() > 0 || scene.fog.density > 0;
+  return edges.deferred_count() > 0 || scene.fog.density > 0;
 }
 
 void count_models(std::span<const PreparedAlias> models, FrameStats& io_stats) {
@@ -50,13 +50,13 @@ void count_models(std::span<const PreparedAlias> models, FrameStats& io_stats) {
     io_stats.triangles += static_cast<std::uint32_t>(model.job.triangle_count);
 }
 
-void count_seen(const EdgeTable& edges, const SpanTable& spans, const DrawItems& items,
+void count_seen(const EdgeTable& edges, const SpanTable& spans, const SurfaceDraws& items,
                 FrameStats& io_stats) {
   for (const Band& band : spans.bands) io_stats.spans += static_cast<std::uint32_t>(band.runs.size());
   const auto is_seen = [&](const ScreenSurface& surface) {
     const auto own = items.items.subspan(surface.first_item, std::size_t{surface.tiles.s} * surface.tiles.t);
     return std::any_of(own.begin(), own.end(),
-                       [](const DrawItem& item) { return item.kind != ItemKind::kUnused; });
+                       [](const SurfaceDraw& item) { return item.kind != ItemKind::kUnused; });
   };
   const ScreenSurface* last_seen = nullptr;
   for (const ScreenSurface& surface : edges.surfaces.subspan(1)) {
@@ -70,7 +70,7 @@ void count_seen(const EdgeTable& edges, const SpanTable& spans, const DrawItems&
 }
 
 bool has_liquid(const world::Level& level) {
-  return std::ranges::any_of(level.leafs, [](const world::Leaf& leaf) {
+  return std::ranges::any_of(level.leaves, [](const world::Leaf& leaf) {
     return leaf.contents <= world::Contents::kWater && leaf.contents != world::Contents::kSky;
   });
 }
@@ -78,9 +78,9 @@ bool has_liquid(const world::Level& level) {
 }  // namespace
 
 struct Renderer::State {
-  explicit State(ColourTables tables) : colour_tables(std::move(tables)) {}
+  explicit State(ColorTables tables) : color_tables(std::move(tables)) {}
 
-  ColourTables colour_tables;
+  ColorTables color_tables;
   std::optional<MarkLook> mark_look;  // made for the first marks
   std::optional<base::Jobs> jobs;
   base::JobBackend job_backend{};
@@ -102,25 +102,25 @@ struct Renderer::State {
   int width = 0, height = 0, band_rows = 0;
   EdgeTable edges;
   SpanTable spans;
-  DrawItems items;
+  SurfaceDraws items;
 
-  void follow_settings(const Settings& settings) {
+  void apply_settings(const Settings& settings) {
     const int threads = std::max(1, settings.threads);
     if (jobs && jobs->threads() == threads && job_backend == settings.job_backend) return;
     jobs.emplace(threads, settings.job_backend);
     job_backend = settings.job_backend;
   }
   void follow_level(const world::Level& now, const FrameBuffer& frame) {
-    if (level != now.identity) take_up_level(now);
+    if (level != now.identity) set_level(now);
     // Also where the picture's size or format has changed since: one dives without waiting for memory.
     if (level_has_liquid) warp.prepare(frame);
   }
-  void take_up_level(const world::Level& now) {
+  void set_level(const world::Level& now) {
     level = now.identity;
     level_has_liquid = has_liquid(now);
     level_tables = make_level_tables(now);
     face_outlines = make_face_outlines(now);
-    cutouts = CutoutTextures(now, colour_tables);
+    cutouts = CutoutTextures(now, color_tables);
   }
 
   // What has been made ready in edges, spans and items -> pixels.
@@ -132,7 +132,7 @@ struct Renderer::State {
 };
 
 Renderer::Renderer(const formats::Palette& palette, const formats::Colormap& colormap)
-    : state_(std::make_unique<State>(make_colour_tables(palette, colormap))) {}
+    : state_(std::make_unique<State>(make_color_tables(palette, colormap))) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
@@ -141,13 +141,13 @@ void Renderer::State::prepare_models(const Scene& scene, const Settings& setting
                                      PixelFormat format, StageClock& io_clock, FrameStats& io_stats,
                                      BandedPicture& io_picture) {
   io_picture.alias_models =
-      prepare_alias_models(scene, settings, view, colour_tables, format, *jobs, arena, model_arenas);
+      prepare_alias_models(scene, settings, view, color_tables, format, *jobs, arena, model_arenas);
   count_models(io_picture.alias_models, io_stats);
   io_clock.end(Stage::kModels);
   io_picture.sprites = place_sprites(scene, view, arena);
   io_clock.end(Stage::kSprites);
   io_picture.particles =
-      place_particles(scene, settings, view, band_rows, colour_tables, format, *jobs, arena);
+      place_particles(scene, settings, view, band_rows, color_tables, format, *jobs, arena);
   io_stats.particles = static_cast<std::uint32_t>(scene.particles.size());
   io_clock.end(Stage::kParticles);
 }
@@ -157,19 +157,19 @@ void Renderer::State::draw_pixels(const Scene& scene, const Settings& settings, 
                                   FrameBuffer& io_frame) {
   const PixelFormat format = io_frame.format();
   const SpanSources sources =
-      prepare_span_sources(scene, settings, view, items, colour_tables, format, skybox, arena);
-  const FrameFog fog(scene.fog, view.perspective, format, colour_tables, fog_tables, settings.vector_kernels);
-  const LateTarget late_target{spans, edges, sources, colour_tables, fog, view};
-  const LateFaces late = sort_late_faces(scene, visible, edges, spans, items, arena);
+      prepare_span_sources(scene, settings, view, items, color_tables, format, skybox, arena);
+  const FrameFog fog(scene.fog, view.perspective, format, color_tables, fog_tables, settings.vector_kernels);
+  const LateTarget deferred_target{spans, edges, sources, color_tables, fog, view};
+  const DeferredFaces late = sort_deferred_faces(scene, visible, edges, spans, items, arena);
   const std::span<const TranslucentLayer> layers =
       sort_translucent(scene, view, visible, late.translucent, arena);
   const std::size_t banded_layers = leading_faces(layers);
   io_clock.end(Stage::kTranslucent);
-  const PictureTint tint(scene.tint, colour_tables, format, settings.vector_kernels);
+  const PictureTint tint(scene.tint, color_tables, format, settings.vector_kernels);
   const bool is_tinted_by_bands = banded_layers == layers.size() && !scene.underwater;
   io_clock.end(Stage::kScreen);
 
-  BandedPicture picture{.world = late_target,
+  BandedPicture picture{.world = deferred_target,
                         .opaque_faces = late.opaque,
                         .translucent_faces = late.translucent.first(banded_layers),
                         .tint = is_tinted_by_bands ? tint : PictureTint()};
@@ -179,7 +179,7 @@ void Renderer::State::draw_pixels(const Scene& scene, const Settings& settings, 
   io_clock.end_in_parts(turns);
 
   if (settings.fill_depth)
-    draw_translucent(scene, settings, layers.subspan(banded_layers), late.translucent, late_target, *jobs,
+    draw_translucent(scene, settings, layers.subspan(banded_layers), late.translucent, deferred_target, *jobs,
                      arena, job_arenas, io_frame);
   io_clock.end(Stage::kTranslucent);
   if (scene.underwater)
@@ -195,9 +195,9 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   settings.fill_depth |= settings.show == Show::kDepth;
   State& s = *state_;
   FrameStats stats;
-  s.follow_settings(settings);
+  s.apply_settings(settings);
   s.follow_level(*scene.level, io_frame);
-  if (has_marks(scene) && !s.mark_look) s.mark_look.emplace(s.colour_tables);
+  if (has_marks(scene) && !s.mark_look) s.mark_look.emplace(s.color_tables);
   s.arena.reset();
   s.width = io_frame.width();
   s.height = io_frame.height();
@@ -216,14 +216,14 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   settings.fill_depth |= needs_depth(scene, s.edges);
   s.spans = scan_edges(s.edges, scene, view, s.band_rows, *s.jobs, s.arena, s.band_arenas);
   clock.end(Stage::kScan);
-  s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.colour_tables, s.cutouts,
+  s.items = prepare_surfaces(scene, settings, view, s.edges, s.spans, s.color_tables, s.cutouts,
                              s.mark_look ? &*s.mark_look : nullptr, io_frame.format(), *s.jobs, s.arena,
                              s.job_arenas, s.cache, stats);
   clock.end(Stage::kSurfaces);
   s.draw_pixels(scene, settings, view, visible, clock, stats, io_frame);
 
   if (settings.show != Show::kPicture)
-    draw_shown(settings.show, {*scene.level, view, s.edges, s.spans, s.items}, s.colour_tables.palette,
+    draw_shown(settings.show, {*scene.level, view, s.edges, s.spans, s.items}, s.color_tables.palette,
                io_frame);
   stats.faces_in_pvs = visible.faces_in_pvs;
   stats.faces_drawn = static_cast<std::uint32_t>(s.edges.surfaces.size() - 1);
@@ -236,7 +236,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
 void Renderer::draw_overlay(const DrawList& list, FrameBuffer& io_frame, FrameStats& io_stats) const {
   StageClock clock(io_stats.stages);
   base::Jobs* const jobs = state_->jobs ? &*state_->jobs : nullptr;  // none before the first view
-  render::draw_overlay(list, state_->colour_tables, jobs, io_frame);
+  render::draw_overlay(list, state_->color_tables, jobs, io_frame);
   clock.end(Stage::kOverlay);
 }
 

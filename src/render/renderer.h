@@ -7,7 +7,7 @@
 #include <span>
 
 #include "base/parallel_for.h"
-#include "formats/palette.h"
+#include "formats/images/palette.h"
 #include "render/draw_list.h"
 #include "render/frame.h"
 #include "render/scene.h"
@@ -33,7 +33,7 @@ struct Settings {
   bool use_pvs = true;
   // False: for measuring what filling 1/z costs; nothing that needs it (models) is drawn then.
   bool fill_depth = true;
-  bool coloured_light = true;  // false: grey light also where the level has colours
+  bool colored_light = true;  // false: gray light also where the level has colors
   AliasRaster alias_raster = AliasRaster::kAuto;
   bool alias_snap = false;  // alias models' vertices at whole pixels and textures affine, as the original
   // Faces of odd and of even number follow changes of light in turn, each every second frame, and show the
@@ -64,8 +64,8 @@ class Renderer {
   FrameStats render(const Scene& scene, const Settings& settings, FrameBuffer& io_frame);
 
   // Draws `list` over `io_frame`, command by command. CHECKs that parts lie in their pictures; areas may lie
-  // anywhere. Opacity is blended exactly in rgb; in indexed colour it is rounded to a sixteenth, and the
-  // palette's nearest colour is shown. The time it takes is added to `io_stats`.
+  // anywhere. Opacity is blended exactly in rgb; in indexed color it is rounded to a sixteenth, and the
+  // palette's nearest color is shown. The time it takes is added to `io_stats`.
   void draw_overlay(const DrawList& list, FrameBuffer& io_frame, FrameStats& io_stats) const;
 
   // The last frame's spans, expanded: one entry a pixel, and how often each pixel was written. For tests.

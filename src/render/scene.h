@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
-#include "formats/image.h"
-#include "formats/spr.h"
+#include "formats/images/image.h"
+#include "formats/models/spr.h"
 #include "math/vec.h"
 #include "render/alias_model.h"
 #include "render/marks.h"
@@ -37,7 +37,7 @@ struct BrushModelInstance {
   float alpha = 1;  // 0 to 1
 };
 
-struct PlayerColours {
+struct PlayerColors {
   std::uint8_t shirt = 0, pants = 0;  // rows of the palette, 0 to 15
 };
 
@@ -49,9 +49,9 @@ struct AliasInstance {
   PoseIndex from_pose{}, to_pose{};
   float blend = 0;         // 0: from_pose, 1: to_pose
   std::uint32_t skin = 0;  // skin_at()
-  std::optional<PlayerColours> colours{};
-  float alpha = 1;        // 0 to 1
-  float least_light = 0;  // 0 to 255
+  std::optional<PlayerColors> colors{};
+  float alpha = 1;      // 0 to 1
+  float min_light = 0;  // 0 to 255
   bool full_bright = false;
 };
 
@@ -67,7 +67,7 @@ struct SpriteInstance {
 // Squares that face the eye. Four arrays of equal length.
 struct ParticleCloud {
   std::span<const float> x, y, z;  // world
-  std::span<const std::uint8_t> colour;
+  std::span<const std::uint8_t> color;
   std::size_t size() const { return x.size(); }
 };
 
@@ -75,9 +75,9 @@ struct ParticleCloud {
 // like theirs) that are nearer than radius - least.
 struct DynamicLight {
   math::Vec3 origin_world{0.0f};
-  float radius = 0;         // units; not positive: no light
-  float least = 0;          // light below this is left out
-  math::Vec3 colour{1.0f};  // factors, rgb only
+  float radius = 0;        // units; not positive: no light
+  float least = 0;         // light below this is left out
+  math::Vec3 color{1.0f};  // factors, rgb only
 };
 
 // All that may fall on a lit face, but for what is in the level.
@@ -87,27 +87,27 @@ struct SceneLight {
 };
 
 struct Fog {
-  float density = 0;        // 0: none. Light is scaled by exp(-(density * z / 64)^2)
-  math::Vec3 colour{0.0f};  // 0 to 1
+  float density = 0;       // 0: none. Light is scaled by exp(-(density * z / 64)^2)
+  math::Vec3 color{0.0f};  // 0 to 1
 };
 
 // Tells skyboxes apart, as LevelIdentity does levels.
 struct SkyboxIdentity {};
 
-// Six true-colour pictures in place of the sky's texture. Sides do not change once it has been drawn: whoever
+// Six true-color pictures in place of the sky's texture. Sides do not change once it has been drawn: whoever
 // wants others makes another skybox.
 struct Skybox {
   // By the names of their files right (+x), back (+y), left (-x), front (-y), up (its lower edge at the right
   // side's upper one), down (its upper edge at the right side's lower one); seen from inside. Empty ones show
-  // the fog's colour or black.
+  // the fog's color or black.
   std::array<formats::Image, 6> sides;
   std::shared_ptr<const SkyboxIdentity> identity = std::make_shared<const SkyboxIdentity>();
 };
 
-// Colour laid over the finished view.
+// Color laid over the finished view.
 struct Tint {
-  math::Vec3 colour{0.0f};  // 0 to 255
-  float opacity = 0;        // 0 to 1
+  math::Vec3 color{0.0f};  // 0 to 255
+  float opacity = 0;       // 0 to 1
 };
 
 // Opacities of liquids by kind, 0 to 1.

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/hash.h"
-#include "server/server_models.h"
+#include "server/session/server_models.h"
 
 namespace temblor::server {
 namespace {

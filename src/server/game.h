@@ -13,13 +13,13 @@
 #include "assets/library.h"
 #include "base/result.h"
 #include "command/variables.h"
-#include "net/protocol.h"
-#include "server/baselines.h"
-#include "server/builtins.h"
+#include "net/protocol/protocol.h"
+#include "server/builtins/builtins.h"
+#include "server/game/spawn_entities.h"
 #include "server/game_world.h"
-#include "server/outbox.h"
-#include "server/physics.h"
-#include "server/spawn_entities.h"
+#include "server/physics/physics.h"
+#include "server/session/baselines.h"
+#include "server/session/outbox.h"
 #include "server/system_globals.h"
 #include "vm/machine.h"
 
@@ -93,7 +93,7 @@ class Game {
   // ClientDisconnect; a bot is none afterwards.
   base::Status take_out(std::size_t slot);
   // Clients that the program plays (spawnclient), by slot: it writes their movement, v_angle, buttons and
-  // impulse; name and colours are those of their netname and clientcolors.
+  // impulse; name and colors are those of their netname and clientcolors.
   bool is_bot(std::size_t slot) const { return bots_[slot]; }
   std::uint8_t bot_colors(std::size_t slot);
   // That play on in this game, of one that it goes on from.

@@ -30,26 +30,26 @@ Reach reach_of(const math::Bounds& box, const world::Plane& plane) {
           most.x + most.y + most.z - double{plane.distance}};
 }
 
-void find_leafs(const world::Level& level, world::Child child, const math::Bounds& box,
-                EdictState& io_state) {
+void find_leaves(const world::Level& level, world::Child child, const math::Bounds& box,
+                 EdictState& io_state) {
   while (!child.is_leaf()) {
     const world::Node& node = level.node(child.node());
     const Reach reach = reach_of(box, level.planes[node.plane]);
     if (reach.farthest >= 0) {
-      if (reach.nearest < 0) find_leafs(level, node.children[1], box, io_state);
-      if (io_state.is_in_too_many_leafs) return;
+      if (reach.nearest < 0) find_leaves(level, node.children[1], box, io_state);
+      if (io_state.is_in_too_many_leaves) return;
       child = node.children[0];
     } else {
       child = node.children[1];
     }
   }
   if (level.leaf(child.leaf()).contents == world::Contents::kSolid) return;
-  if (io_state.leafs.size() == EdictState::kMaxLeafs) {
-    io_state.is_in_too_many_leafs = true;
-    io_state.leafs.clear();
+  if (io_state.leaves.size() == EdictState::kMaxLeaves) {
+    io_state.is_in_too_many_leaves = true;
+    io_state.leaves.clear();
     return;
   }
-  io_state.leafs.push_back(child.leaf());
+  io_state.leaves.push_back(child.leaf());
 }
 
 bool boxes_meet(const Edict& a, const Edict& b) {
@@ -100,9 +100,9 @@ base::Status link(GameWorld& io_world, vm::EntityIndex entity, TouchTriggers tou
   edict.set(field::kAbsMax, box.maxs);
 
   EdictState& state = io_world.edicts.state(entity);
-  state.leafs.clear();
-  state.is_in_too_many_leafs = false;
-  if (edict[field::kModelIndex] != 0) find_leafs(*io_world.level, io_world.level->world().head, box, state);
+  state.leaves.clear();
+  state.is_in_too_many_leaves = false;
+  if (edict[field::kModelIndex] != 0) find_leaves(*io_world.level, io_world.level->world().head, box, state);
 
   const Solid solid = edict.solid();
   if (solid == Solid::kNot) return base::Ok{};

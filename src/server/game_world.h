@@ -10,9 +10,9 @@
 
 #include "base/result.h"
 #include "movement/settings.h"
-#include "server/areas.h"
-#include "server/edicts.h"
-#include "server/game_calls.h"
+#include "server/game/areas.h"
+#include "server/game/edicts.h"
+#include "server/game/game_calls.h"
 #include "world/level.h"
 
 namespace temblor::server {
@@ -69,7 +69,7 @@ bool is_there(const GameWorld& world, vm::EntityIndex entity);
 
 enum class TouchTriggers { kNo, kYes };
 
-// Brings absmin, absmax, its leafs and the areas up to date with an entity's origin and size: after every
+// Brings absmin, absmax, its leaves and the areas up to date with an entity's origin and size: after every
 // move. With kYes, calls touch of every trigger that its box meets, as the original does: those found before
 // the first call, each only while it and the entity are still there.
 base::Status link(GameWorld& io_world, vm::EntityIndex entity, TouchTriggers touch);

@@ -8,10 +8,10 @@
 
 #include "base/text.h"
 #include "command/text.h"
-#include "server/host_commands.h"
-#include "server/player_commands.h"
-#include "server/save_game.h"
-#include "server/signon.h"
+#include "server/commands/host_commands.h"
+#include "server/commands/player_commands.h"
+#include "server/save/save_game.h"
+#include "server/session/signon.h"
 
 namespace temblor::server {
 namespace {
@@ -74,7 +74,7 @@ void Server::take_up(LoadedGame loaded) {
     print(fmt::format("maps/{}.bsp: {}\n", game.map_name, fault));
   if (recorder_) print_if_error(stop_recording());
   is_paused_ = false;
-  goes_on_.assign(clients_.size(), false);
+  resuming_.assign(clients_.size(), false);
   unplayed_s_ = 0;
   autosave_.begin_level();
   clients_.set_dialect(game.dialect, max_reliable_bytes(game.dialect));
@@ -87,7 +87,7 @@ void Server::take_up(LoadedGame loaded) {
     client.loads_old_level = clients_.is_loading(slot);
     // What was still to be said of the old level would be taken for the new one's.
     clients_.forget_waiting(slot);
-    client.frags_told = 0;
+    client.sent_frags = 0;
     client.sent_update = false;
     client.untold = {};
     if (!client.loads_old_level) tell_next_level(slot);
@@ -195,7 +195,7 @@ base::Status Server::go_on_from(std::string_view name) {
   autosave_.begin_loaded(last_save_);
   clients_[0].parameters = sav.spawn_parameters;
   print_if_error(setup_.settings.variables().set("skill", std::to_string(sav.skill)));
-  goes_on_[0] = true;
+  resuming_[0] = true;
   set_paused(true);  // until the player is there
   return base::Ok{};
 }
@@ -222,7 +222,7 @@ base::Status Server::reload() {
       loaded.game->context().spawn_parameters = game_->context().spawn_parameters;
       loaded.game->take_over_bots(*game_);
       take_up(std::move(loaded));
-      goes_on_ = std::move(goes_on);
+      resuming_ = std::move(goes_on);
       if (clients_.size() == 1) set_paused(true);  // until the player is back
       print("reloaded: the game goes on\n");
       return base::Ok{};

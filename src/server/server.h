@@ -14,16 +14,16 @@
 #include "assets/library.h"
 #include "base/result.h"
 #include "command/console.h"
-#include "net/client_message.h"
-#include "net/server_endpoint.h"
-#include "server/autosave.h"
-#include "server/client_datagram.h"
-#include "server/clients.h"
+#include "net/protocol/client_message.h"
+#include "net/transport/server_endpoint.h"
 #include "server/game.h"
-#include "server/game_loader.h"
-#include "server/recorder.h"
+#include "server/game/game_loader.h"
+#include "server/save/autosave.h"
 #include "server/server_variables.h"
-#include "server/snapshot.h"
+#include "server/session/client_datagram.h"
+#include "server/session/clients.h"
+#include "server/session/recorder.h"
+#include "server/session/snapshot.h"
 
 namespace temblor::server {
 
@@ -124,11 +124,11 @@ class Server {
   base::Status tell_level(std::size_t slot);
   void tell_next_level(std::size_t slot);
   base::Status tell_beginning(std::size_t slot);
-  base::Status put_in_game(std::size_t slot);
+  base::Status spawn_client(std::size_t slot);
   void begin_play(std::size_t slot);
   bool may_command(std::size_t slot);
   bool parse_command(std::size_t slot, std::string_view line);
-  void drop_doomed();
+  void drop_failed_clients();
 
   // Levels (server.cpp).
   GameServices services();
@@ -143,16 +143,16 @@ class Server {
   // Ticks (server_tick.cpp).
   void run_tick();
   base::Status take_numbered_moves(std::size_t slot);
-  void tell_move_terms();
-  void tell_changed_rules();
-  void offer_differences(std::size_t slot);
+  void send_move_parameters();
+  void send_changed_rules();
+  void offer_delta_compression(std::size_t slot);
   void acknowledge_moves(std::size_t slot);
   void send_tick();
   bool take_turn(std::size_t slot);
   void record_of(std::size_t slot, base::Bytes messages);
   void send_to(std::size_t slot);
-  bool write_difference(std::size_t slot);
-  void tell_frags();
+  bool write_delta(std::size_t slot);
+  void send_frags();
   void take_in_bots();
   void clear_flashes();
   void autosave();
@@ -179,7 +179,7 @@ class Server {
   std::uint64_t ticks_ = 0;
   std::uint64_t told_rules_version_ = 0;  // of the variables, when players were last told of rules
   // By slot: the player is in the game already (loaded or reloaded) when his client asks to be put there.
-  std::vector<bool> goes_on_;
+  std::vector<bool> resuming_;
   std::optional<std::string> captured_;  // run_and_capture()
   bool has_started_ = false;
   bool has_told_of_numbers_ = false;  // that entities have no number in the protocol

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kHuge = 1e6;
 // Bytes a second that a modem of the game's days carried: of updates in a fight, some ten a second.
-constexpr std::int64_t kLeastRate = 2500;
+constexpr std::int64_t kMinRate = 2500;
 
 // Rules that stock servers tell, and those that game code reads: of the level that is played, and of the
 // next one.
@@ -67,7 +67,7 @@ ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(
                                  "Updates are sent until they arrive, and none meanwhile: a lost packet then "
                                  "stops the game, as in the first versions of Quake; to see the difference.");
   max_rate_ =
-      v.add_int_or_zero("sv_maxrate", 0, kLeastRate, 10'000'000,
+      v.add_int_or_zero("sv_maxrate", 0, kMinRate, 10'000'000,
                         "Bytes a second of updates to each client; where they do not suffice, it gets fewer "
                         "updates; 0: one each step.");
   autosave_ = v.add_float("sv_autosave", 3, 0, 1440,

@@ -1,6 +1,6 @@
 #include "server/system_globals.h"
 
-#include "server/entity_fields.h"
+#include "server/game/entity_fields.h"
 
 namespace temblor::server {
 

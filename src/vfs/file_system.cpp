@@ -9,8 +9,8 @@
 
 #include "base/check.h"
 #include "base/text.h"
-#include "formats/archive.h"
-#include "formats/pak.h"
+#include "formats/archives/archive.h"
+#include "formats/archives/pak.h"
 
 namespace temblor::vfs {
 namespace {

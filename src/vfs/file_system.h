@@ -23,7 +23,7 @@
 
 #include "base/bytes.h"
 #include "base/result.h"
-#include "formats/pk3.h"
+#include "formats/archives/pk3.h"
 #include "vfs/disk.h"
 
 namespace temblor::vfs {

@@ -5,7 +5,7 @@
 #include <bit>
 
 #include "base/text.h"
-#include "vm/opcodes.h"
+#include "vm/code/opcodes.h"
 
 namespace temblor::vm {
 namespace {

@@ -19,8 +19,8 @@
 
 #include "base/result.h"
 #include "math/vec.h"
+#include "vm/code/strings.h"
 #include "vm/program.h"
-#include "vm/strings.h"
 
 namespace temblor::vm {
 

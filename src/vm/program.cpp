@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "vm/decode.h"
+#include "vm/code/decode.h"
 
 namespace temblor::vm {
 namespace {

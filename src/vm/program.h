@@ -12,8 +12,8 @@
 
 #include "base/index.h"
 #include "base/result.h"
-#include "formats/progs.h"
-#include "vm/instruction.h"
+#include "formats/game/progs.h"
+#include "vm/code/instruction.h"
 
 namespace temblor::vm {
 

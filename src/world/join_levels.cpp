@@ -11,12 +11,12 @@ std::uint32_t count(std::size_t size) {
 
 // Where the parts of the level that is being added come to lie.
 struct Offsets {
-  std::uint32_t planes, nodes, leafs, clipnodes, faces, marked_faces, vertices, edges, surfedges, axes,
+  std::uint32_t planes, nodes, leaves, clipnodes, faces, marked_faces, vertices, edges, surfedges, axes,
       textures, light;
   explicit Offsets(const Level& level)
       : planes(count(level.planes.size())),
         nodes(count(level.nodes.size())),
-        leafs(count(level.leafs.size())),
+        leaves(count(level.leaves.size())),
         clipnodes(count(level.clipnodes.size())),
         faces(count(level.faces.size())),
         marked_faces(count(level.marked_faces.size())),
@@ -29,8 +29,8 @@ struct Offsets {
 
   Child moved(Child child) const {
     const auto nodes_before = static_cast<std::int32_t>(nodes),
-               leafs_before = static_cast<std::int32_t>(leafs);
-    return {child.is_leaf() ? ~(~child.value + leafs_before) : child.value + nodes_before};
+               leaves_before = static_cast<std::int32_t>(leaves);
+    return {child.is_leaf() ? ~(~child.value + leaves_before) : child.value + nodes_before};
   }
   TextureIndex moved(TextureIndex texture) const {
     return base::to_index<TextureIndex>(base::to_size(texture) + textures);
@@ -47,10 +47,10 @@ void add_trees(const Level& other, const Offsets& offsets, Level& io_level) {
     node.first_face += offsets.faces;
     io_level.nodes.push_back(node);
   }
-  for (Leaf leaf : other.leafs) {
+  for (Leaf leaf : other.leaves) {
     leaf.visibility_offset = -1;  // the other level's PVS is left behind
     leaf.first_marked_face += offsets.marked_faces;
-    io_level.leafs.push_back(leaf);
+    io_level.leaves.push_back(leaf);
   }
   for (Clipnode node : other.clipnodes) {
     node.plane += offsets.planes;
@@ -90,11 +90,11 @@ void add_faces(const Level& other, const Offsets& offsets, Level& io_level) {
   }
 }
 
-std::vector<std::uint8_t> coloured_light_of(const Level& level) {
+std::vector<std::uint8_t> colored_light_of(const Level& level) {
   if (!level.light_rgb.empty()) return level.light_rgb;
   std::vector<std::uint8_t> rgb;
   rgb.reserve(level.light.size() * 3);
-  for (const std::uint8_t grey : level.light) rgb.insert(rgb.end(), 3, grey);
+  for (const std::uint8_t gray : level.light) rgb.insert(rgb.end(), 3, gray);
   return rgb;
 }
 
@@ -104,10 +104,10 @@ void append(const std::vector<T>& from, std::vector<T>& io_to) {
 }
 
 void add_light(const Level& other, Level& io_level) {
-  // A level has colours for all of its light or for none.
+  // A level has colors for all of its light or for none.
   if (!io_level.light_rgb.empty() || !other.light_rgb.empty()) {
-    io_level.light_rgb = coloured_light_of(io_level);
-    append(coloured_light_of(other), io_level.light_rgb);
+    io_level.light_rgb = colored_light_of(io_level);
+    append(colored_light_of(other), io_level.light_rgb);
   }
   append(other.light, io_level.light);
 }

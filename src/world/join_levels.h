@@ -15,8 +15,8 @@ struct JoinedLevel {
   std::vector<ModelIndex> models;  // by element of `others`: what was its world
 };
 
-// `base` with all faces, hulls, textures and light of the others, which keep what light they have, grey or
-// coloured. Entities, PVS and everything else that there is one of are those of `base`. Without others,
+// `base` with all faces, hulls, textures and light of the others, which keep what light they have, gray or
+// colored. Entities, PVS and everything else that there is one of are those of `base`. Without others,
 // `base` itself.
 JoinedLevel join_levels(const std::shared_ptr<const Level>& base,
                         std::span<const std::shared_ptr<const Level>> others);

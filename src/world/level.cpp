@@ -61,7 +61,7 @@ std::vector<To> convert(const std::vector<From>& from, Make make) {
 void take_geometry(formats::Bsp& io_bsp, Level& io_level) {
   io_level.planes = convert<Plane>(io_bsp.planes, make_plane);
   io_level.nodes = convert<Node>(io_bsp.nodes, make_node);
-  io_level.leafs = convert<Leaf>(io_bsp.leafs, make_leaf);
+  io_level.leaves = convert<Leaf>(io_bsp.leaves, make_leaf);
   io_level.models = convert<Model>(io_bsp.models, make_model);
   io_level.clipnodes = convert<Clipnode>(io_bsp.clipnodes, [](const formats::BspClipnode& node) {
     return Clipnode{node.plane, node.children};
@@ -75,7 +75,7 @@ void take_geometry(formats::Bsp& io_bsp, Level& io_level) {
   io_level.edges = std::move(io_bsp.edges);
   io_level.surfedges = std::move(io_bsp.surfedges);
   io_level.visibility = std::move(io_bsp.visibility);
-  io_level.visible_leaf_count = static_cast<std::uint32_t>(io_bsp.models[0].visible_leafs);
+  io_level.visible_leaf_count = static_cast<std::uint32_t>(io_bsp.models[0].visible_leaves);
 }
 
 base::Status take_light(formats::Bsp& io_bsp, const formats::Lit* lit, Level& io_level) {
@@ -84,12 +84,12 @@ base::Status take_light(formats::Bsp& io_bsp, const formats::Lit* lit, Level& io
   const std::size_t rgb_size = io_level.light.size() * 3;
   if (lit != nullptr) {
     if (lit->samples.size() != rgb_size)
-      return base::malformed("the .lit file has {} bytes of colour, the level's {} light samples need {}",
+      return base::malformed("the .lit file has {} bytes of color, the level's {} light samples need {}",
                              lit->samples.size(), io_level.light.size(), rgb_size);
     io_level.light_rgb = lit->samples;
   } else if (const formats::BspxLump* lump = io_bsp.find_bspx("RGBLIGHTING")) {
     if (lump->data.size() != rgb_size)
-      return base::malformed("lump RGBLIGHTING: {} bytes of colour, the level's {} light samples need {}",
+      return base::malformed("lump RGBLIGHTING: {} bytes of color, the level's {} light samples need {}",
                              lump->data.size(), io_level.light.size(), rgb_size);
     const auto samples = base::as_u8(lump->data);
     io_level.light_rgb.assign(samples.begin(), samples.end());

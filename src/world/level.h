@@ -12,9 +12,9 @@
 
 #include "base/index.h"
 #include "base/result.h"
-#include "formats/bsp.h"
-#include "formats/entities.h"
-#include "formats/lit.h"
+#include "formats/levels/bsp.h"
+#include "formats/levels/entities.h"
+#include "formats/levels/lit.h"
 #include "math/vec.h"
 
 namespace temblor::world {
@@ -96,7 +96,7 @@ struct Face {
   std::uint32_t first_surfedge, surfedge_count;
   std::uint32_t axes;  // into Level::texture_axes
   TextureIndex texture;
-  std::uint32_t light;  // first sample in Level::light (grey) and, x3, Level::light_rgb; or kNoLight
+  std::uint32_t light;  // first sample in Level::light (gray) and, x3, Level::light_rgb; or kNoLight
   std::array<std::int32_t, 2> texture_mins;  // s, t of the surface's first texel, multiples of 16
   std::array<std::int32_t, 2>
       texture_extents;  // texels, multiples of 16; light samples are extent / 16 + 1 each way
@@ -151,7 +151,7 @@ struct Level {
   std::vector<formats::Entity> entities;
   std::vector<Plane> planes;
   std::vector<Node> nodes;
-  std::vector<Leaf> leafs;
+  std::vector<Leaf> leaves;
   std::vector<Clipnode> clipnodes;
   std::vector<Face> faces;
   std::vector<FaceIndex> marked_faces;
@@ -162,13 +162,13 @@ struct Level {
   std::vector<Texture> textures;  // at least one: the last one stands for textures that are not there at all
   std::vector<Model> models;
   std::vector<std::uint8_t> visibility;  // run-length coded rows
-  std::uint32_t visible_leaf_count = 0;  // leafs 1..count take part in the PVS
+  std::uint32_t visible_leaf_count = 0;  // leaves 1..count take part in the PVS
   bool has_light = false;                // false: the level was never lit; every face is drawn full-bright
-  std::vector<std::uint8_t> light;       // grey samples
-  std::vector<std::uint8_t> light_rgb;   // 3 x light.size(), or empty when the level has no coloured light
+  std::vector<std::uint8_t> light;       // gray samples
+  std::vector<std::uint8_t> light_rgb;   // 3 x light.size(), or empty when the level has no colored light
 
   const Face& face(FaceIndex index) const { return faces[base::to_size(index)]; }
-  const Leaf& leaf(LeafIndex index) const { return leafs[base::to_size(index)]; }
+  const Leaf& leaf(LeafIndex index) const { return leaves[base::to_size(index)]; }
   const Node& node(NodeIndex index) const { return nodes[base::to_size(index)]; }
   const Texture& texture(TextureIndex index) const { return textures[base::to_size(index)]; }
   const Model& world() const { return models[0]; }
@@ -181,7 +181,7 @@ struct Level {
   }
 };
 
-// `bsp` was validated by its reader. Coloured light, in this order: `lit` when given (its size must match,
+// `bsp` was validated by its reader. Colored light, in this order: `lit` when given (its size must match,
 // else an error), the BSPX lump RGBLIGHTING (likewise), none. Fails when the entity text does not parse, when
 // a face's light lies outside the samples or has a style past 63, or when a face has an extent that no real
 // level has (over 2^20 texels).

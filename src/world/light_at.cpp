@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kReach = 2048;
 constexpr int kTexelsASample = 16;
-// Units. Lines that meet a face's edge must not slip through between it and its neighbour.
+// Units. Lines that meet a face's edge must not slip through between it and its neighbor.
 constexpr double kEdgeSlack = 1.0 / 16;
 
 // Behind a crossing: what is still to be walked.
@@ -96,12 +96,12 @@ PointLight interpolated(const Level& level, const Face& face, const LightStyleVa
   for (std::size_t i = 0; i < face.style_count; ++i) {
     const float style = static_cast<float>(styles[face.styles[i]]) / 256;
     const std::size_t first = face.light + i * style_samples;
-    sum.grey += between(level.light, first, 1, 0) * style;
+    sum.gray += between(level.light, first, 1, 0) * style;
     if (level.light_rgb.empty()) continue;
     for (std::size_t channel = 0; channel < 3; ++channel)
       sum.rgb[static_cast<int>(channel)] += between(level.light_rgb, first, 3, channel) * style;
   }
-  if (level.light_rgb.empty()) sum.rgb = math::Vec3(sum.grey);
+  if (level.light_rgb.empty()) sum.rgb = math::Vec3(sum.gray);
   return sum;
 }
 

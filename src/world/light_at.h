@@ -9,8 +9,8 @@ namespace temblor::world {
 
 // 0 to 255 as in the light map, more where a style is brighter than normal.
 struct PointLight {
-  float grey = 0;
-  math::Vec3 rgb{0.0f};  // equal to grey where the level has no coloured light
+  float gray = 0;
+  math::Vec3 rgb{0.0f};  // equal to gray where the level has no colored light
   bool operator==(const PointLight&) const = default;
 };
 

@@ -1,7 +1,7 @@
 // Method: the path is walked through the tree front to back. Where it crosses a plane it is cut 1/32 unit
 // before the plane; the near part is walked first, and the far part only when the cut lies in something open
-// on the far side. The first cut that does not is where the trace stops. Written from the observed behaviour
-// of the original; unlike it, a path that starts in solid is followed through any number of solid leafs, so
+// on the far side. The first cut that does not is where the trace stops. Written from the observed behavior
+// of the original; unlike it, a path that starts in solid is followed through any number of solid leaves, so
 // that all_solid means what it says.
 #include "world/trace.h"
 
@@ -22,7 +22,7 @@ constexpr std::array<math::Bounds, 3> kHullBoxes = {{
     {{-32, -32, -24}, {32, 32, 64}},
 }};
 
-// The nodes and leafs of hull 0, or the clipnodes of another one, seen as the same thing.
+// The nodes and leaves of hull 0, or the clipnodes of another one, seen as the same thing.
 class HullTree {
  public:
   HullTree(const Level& level, ModelIndex model_index, Hull hull) : level_(level), hull_(hull) {

@@ -5,8 +5,8 @@
 
 #include "app/program.h"
 #include "support/effort.h"
+#include "support/programs/small_game.h"
 #include "support/random.h"
-#include "support/small_game.h"
 
 namespace temblor::test {
 namespace {

@@ -8,14 +8,14 @@
 #include <new>
 #include <set>
 
-#include "app/allocation_counter.h"
-#include "app/distribution.h"
-#include "app/floor_loop.h"
-#include "app/level_scene.h"
-#include "app/options.h"
-#include "app/picture_file.h"
-#include "app/progress.h"
-#include "app/viewpoints.h"
+#include "app/bench/allocation_counter.h"
+#include "app/bench/distribution.h"
+#include "app/bench/fill_baseline.h"
+#include "app/bench/viewpoints.h"
+#include "app/commands/options.h"
+#include "app/files/level_scene.h"
+#include "app/files/picture_file.h"
+#include "app/files/progress.h"
 #include "artgen/small_level.h"
 #include "support/random.h"
 
@@ -103,21 +103,21 @@ TEST_P(FloorLoop, ReadsTheTexelsThatItsStepsSay) {
   constexpr int kWidth = 500, kHeight = 20;
   render::FrameBuffer frame(kWidth, kHeight, render::PixelFormat::kRgb);
   fill_with_floor_loop(GetParam(), frame);
-  // Pixels whose texture coordinates fall on one texel have one colour, others another: the surface's texels
+  // Pixels whose texture coordinates fall on one texel have one color, others another: the surface's texels
   // all differ.
   std::map<std::pair<std::int64_t, std::int64_t>, std::uint32_t> texels;
-  std::set<std::uint32_t> colours;
+  std::set<std::uint32_t> colors;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       const std::int64_t s = std::int64_t{x} * 40000 / 65536 % 256;
       const std::int64_t t = (y + std::int64_t{x} * 3000 / 65536) % 256;
-      const std::uint32_t colour = frame.rgb()[static_cast<std::size_t>(y * kWidth + x)];
-      const auto [known, is_new] = texels.emplace(std::pair(s, t), colour);
-      ASSERT_EQ(known->second, colour) << x << " " << y;
-      colours.insert(colour);
+      const std::uint32_t color = frame.rgb()[static_cast<std::size_t>(y * kWidth + x)];
+      const auto [known, is_new] = texels.emplace(std::pair(s, t), color);
+      ASSERT_EQ(known->second, color) << x << " " << y;
+      colors.insert(color);
     }
   }
-  EXPECT_EQ(colours.size(), texels.size());
+  EXPECT_EQ(colors.size(), texels.size());
 }
 
 TEST_P(FloorLoop, FillsIndexedFramesWhole) {

@@ -7,11 +7,11 @@
 #include <filesystem>
 
 #include "app/program.h"
-#include "support/background_program.h"
 #include "support/game_data.h"
-#include "support/room_map.h"
-#include "support/small_game.h"
-#include "support/temporary_folder.h"
+#include "support/levels/room_map.h"
+#include "support/programs/background_program.h"
+#include "support/programs/small_game.h"
+#include "support/programs/temporary_folder.h"
 
 namespace temblor::test {
 namespace {
@@ -96,7 +96,7 @@ wait $game; echo "ended with $?"
   for (const Png* const picture : {&began, &turned, &dead, &loaded}) {
     EXPECT_EQ(picture->width, 640u);
     EXPECT_EQ(picture->height, 480u);
-    EXPECT_GT(count_colours(*picture), 300u);
+    EXPECT_GT(count_colors(*picture), 300u);
   }
   EXPECT_NE(began, turned);
   EXPECT_NE(dead, turned);

@@ -12,7 +12,7 @@
 
 #include "base/check.h"
 #include "support/game_data.h"
-#include "support/temporary_folder.h"
+#include "support/programs/temporary_folder.h"
 
 namespace temblor::test {
 namespace {
@@ -84,11 +84,11 @@ Png read_png(const std::filesystem::path& path) {
   return png;
 }
 
-std::size_t count_colours(const Png& png) {
-  std::set<std::array<std::uint8_t, 3>> colours;
+std::size_t count_colors(const Png& png) {
+  std::set<std::array<std::uint8_t, 3>> colors;
   for (std::size_t i = 0; i < png.rgb.size(); i += 3)
-    colours.insert({png.rgb[i], png.rgb[i + 1], png.rgb[i + 2]});
-  return colours.size();
+    colors.insert({png.rgb[i], png.rgb[i + 1], png.rgb[i + 2]});
+  return colors.size();
 }
 
 }  // namespace temblor::test

@@ -35,7 +35,7 @@ struct Png {
 // CHECKs that the file is a PNG.
 Png read_png(const std::filesystem::path& path);
 
-// How many different colours a picture has.
-std::size_t count_colours(const Png& png);
+// How many different colors a picture has.
+std::size_t count_colors(const Png& png);
 
 }  // namespace temblor::test

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "app/program.h"
-#include "formats/entities.h"
+#include "formats/levels/entities.h"
 #include "support/game_data.h"
-#include "support/small_game.h"
+#include "support/programs/small_game.h"
 
 namespace temblor::test {
 namespace {
@@ -39,14 +39,14 @@ TEST_F(RenderProgram, DrawsALevelWithoutData) {
   EXPECT_EQ(png.width, 160u);
   EXPECT_EQ(png.height, 96u);
   EXPECT_FALSE(png.indexed);
-  EXPECT_GT(count_colours(png), 100u);
+  EXPECT_GT(count_colors(png), 100u);
 }
 
 TEST_F(RenderProgram, IndexedPicturesKeepTheirPalette) {
   const Png png = draw(small_render({"--color", "indexed"}));
   EXPECT_TRUE(png.indexed);
-  EXPECT_GT(count_colours(png), 30u);
-  EXPECT_LE(count_colours(png), 256u);
+  EXPECT_GT(count_colors(png), 30u);
+  EXPECT_LE(count_colors(png), 256u);
 }
 
 TEST_F(RenderProgram, ThreadsDoNotChangeThePicture) {
@@ -77,7 +77,7 @@ TEST_F(RenderProgram, OverviewLooksDownAtTheMiddle) {
               {"--pos", fmt::format("{},{},{}", center.x, center.y, center.z), "--angles", "90,0,0"});
   const Png png = draw(overview);
   EXPECT_EQ(png, draw(same));
-  EXPECT_GT(count_colours(png), 30u);
+  EXPECT_GT(count_colors(png), 30u);
 }
 
 TEST_F(RenderProgram, ALevelByNameOrByFileIsThatLevel) {
@@ -127,7 +127,7 @@ TEST_F(RenderProgram, SettingsAreUsed) {
   const Png plain = draw(small_render());
   EXPECT_NE(draw(small_render({"--set", "r_mip_force=3"})), plain);
   EXPECT_EQ(draw(small_render({"--set", "r_mip_force=3", "--set", "r_mip_force=-1"})), plain);
-  EXPECT_NE(draw(small_render({"--set", "r_coloured_light=0"})), plain);
+  EXPECT_NE(draw(small_render({"--set", "r_colored_light=0"})), plain);
 }
 
 TEST_F(RenderProgram, ShowDrawsSomethingElse) {
@@ -180,7 +180,7 @@ TEST_F(RenderProgram, StockLevelsInBothFormats) {
         run_program(folder_.path(), small_render({"--basedir", std::filesystem::absolute(data).string(),
                                                   "--map", "lq_e0m1", "--color", color, "-o", "x.png"}));
     EXPECT_EQ(run.exit_status, 0) << run.err;
-    EXPECT_GT(count_colours(read_png(folder_.path() / "x.png")), 30u);
+    EXPECT_GT(count_colors(read_png(folder_.path() / "x.png")), 30u);
   }
 }
 

@@ -8,7 +8,7 @@
 #include "app/program.h"
 #include "platform/posix/udp_socket.h"
 #include "support/game_data.h"
-#include "support/temporary_folder.h"
+#include "support/programs/temporary_folder.h"
 
 namespace temblor::test {
 namespace {

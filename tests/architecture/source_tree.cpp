@@ -53,16 +53,16 @@ const std::map<std::string, Names, std::less<>>& allowed_folders() {
 // Inside render, from sub-folder to the sub-folders it may include besides itself.
 const std::map<std::string, Names, std::less<>>& allowed_stages() {
   static const std::map<std::string, Names, std::less<>> table = {
-      {"colour", {}},
+      {"color", {}},
       {"view", {}},
       {"edges", {"view"}},
-      {"surfaces", {"view", "edges", "colour"}},
-      {"spans", {"view", "edges", "surfaces", "colour"}},
-      {"models", {"view", "colour"}},
+      {"surfaces", {"view", "edges", "color"}},
+      {"spans", {"view", "edges", "surfaces", "color"}},
+      {"models", {"view", "color"}},
       // One face at a time, after everything opaque.
-      {"translucent", {"view", "edges", "surfaces", "spans", "models", "colour"}},
+      {"translucent", {"view", "edges", "surfaces", "spans", "models", "color"}},
       // At the end: it may look at what every stage left behind (`--show`), and no stage knows of it.
-      {"screen", {"view", "edges", "surfaces", "colour"}},
+      {"screen", {"view", "edges", "surfaces", "color"}},
   };
   return table;
 }
@@ -136,7 +136,7 @@ bool is_compiled_per_target(const SourceFile& file) {
 
 bool may_hold_kernels(std::string_view path) {
   const Place place = place_of(path);
-  static const Names render_stages = {"colour", "spans", "surfaces", "models", "translucent", "screen"};
+  static const Names render_stages = {"color", "spans", "surfaces", "models", "translucent", "screen"};
   return place.folder == "audio" || (place.folder == "render" && render_stages.contains(place.stage));
 }
 

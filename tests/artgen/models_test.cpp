@@ -1,4 +1,4 @@
-// Models from recipes: closed surfaces, movements and skins, against what the recipes' words say.
+// Models from scripts: closed surfaces, movements and skins, against what the scripts' words say.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 
 #include "artgen/art.h"
 #include "artgen/models/model.h"
-#include "artgen/parts.h"
+#include "artgen/scripts/parts.h"
 #include "base/parallel_for.h"
-#include "formats/mdl.h"
-#include "support/mdl_places.h"
+#include "formats/models/mdl.h"
+#include "support/models/mdl_places.h"
 
 namespace temblor::artgen {
 namespace {
@@ -27,10 +27,10 @@ using test::Extent;
 using test::extent_of;
 using test::place_of;
 
-RecipeLine thing_of(const std::string& text) {
-  const auto recipe = read_recipe(text);
-  EXPECT_TRUE(recipe.ok()) << (recipe.ok() ? "" : recipe.error().message());
-  return recipe.ok() && !recipe->empty() ? recipe->front() : RecipeLine{};
+ScriptLine thing_of(const std::string& text) {
+  const auto script = read_script(text);
+  EXPECT_TRUE(script.ok()) << (script.ok() ? "" : script.error().message());
+  return script.ok() && !script->empty() ? script->front() : ScriptLine{};
 }
 
 Model model_of(const std::string& lines) {
@@ -48,7 +48,7 @@ Mdl mdl_of(const std::string& lines) {
   return make_mdl(model_of(lines));
 }
 
-constexpr const char* kPaintAndBone = "  paint plain grey\n  bone a 0,0,0\n";
+constexpr const char* kPaintAndBone = "  paint plain gray\n  bone a 0,0,0\n";
 
 // Every side of a triangle is another one's, the other way round; what is inside has a volume.
 void expect_closed(const Mesh& mesh) {
@@ -84,7 +84,7 @@ TEST(ModelShapes, AreClosedAndFaceOutwards) {
 }
 
 TEST(ModelShapes, AStarMakesAMirrorImage) {
-  const Model model = model_of("  paint plain grey\n  bone arm_* 1,5,2\n  box arm_* 0,1,0 2,2,2\n");
+  const Model model = model_of("  paint plain gray\n  bone arm_* 1,5,2\n  box arm_* 0,1,0 2,2,2\n");
   expect_closed(model.mesh);
   const std::size_t half = model.mesh.points.size() / 2;
   for (std::size_t i = 0; i < half; ++i) {
@@ -95,7 +95,7 @@ TEST(ModelShapes, AStarMakesAMirrorImage) {
 }
 
 TEST(ModelShapes, SizesAreThoseOfTheRecipe) {
-  const Mdl mdl = mdl_of("  paint plain grey\n  bone a 0,0,10\n  bone b 0,0,5 on=a\n  box b 1,0,0 2,4,6\n");
+  const Mdl mdl = mdl_of("  paint plain gray\n  bone a 0,0,10\n  bone b 0,0,5 on=a\n  box b 1,0,0 2,4,6\n");
   const Extent extent = extent_of(mdl, 0);
   EXPECT_NEAR(glm::distance(extent.low, Vec3d(0, -2, 12)), 0, 0.05);
   EXPECT_NEAR(glm::distance(extent.high, Vec3d(2, 2, 18)), 0, 0.05);
@@ -110,7 +110,7 @@ TEST(ModelShapes, CrispEdgesHaveANormalForEachSideAndSmoothOnesShare) {
 
 TEST(ModelShapes, PointsBetweenTwoBonesGoHalfWay) {
   const Mdl mdl = mdl_of(
-      "  paint plain grey\n  bone a 0,0,0\n  bone b 0,0,10 on=a\n"
+      "  paint plain gray\n  bone a 0,0,0\n  bone b 0,0,10 on=a\n"
       "  tube a 0,0,0:1 a+b@0,0,0:1 b@0,0,10:1 sides=4 ends=flat\n"
       "  animation move 2\n    key 0 b.at=0,0,0\n    key 1 b.at=0,0,8\n");
   std::map<long, long> heights;
@@ -122,7 +122,7 @@ TEST(ModelShapes, PointsBetweenTwoBonesGoHalfWay) {
 TEST(ModelMotion, TurnsGoTheWaysThatTheyAreSaidTo) {
   const auto tip_after = [](const std::string& turn) {
     const Mdl mdl = mdl_of(
-        "  paint plain grey\n  bone a 0,0,0\n  box a 0,0,10 0.1,0.1,0.1\n  animation one 1\n    key 0 a=" +
+        "  paint plain gray\n  bone a 0,0,0\n  box a 0,0,10 0.1,0.1,0.1\n  animation one 1\n    key 0 a=" +
         turn + "\n");
     const Extent extent = extent_of(mdl, 0);
     return 0.5 * (extent.low + extent.high);
@@ -146,7 +146,7 @@ TEST(ModelMotion, KeysAreMetAndValuesBetweenNeverOvershoot) {
 
 TEST(ModelMotion, CyclesCloseAndAlternatesAreMirrored) {
   const std::string lines =
-      "  paint plain grey\n  bone arm_* 0,5,0\n  box arm_* 0,0,-10 0.2,0.2,0.2\n"
+      "  paint plain gray\n  bone arm_* 0,5,0\n  box arm_* 0,0,-10 0.2,0.2,0.2\n"
       "  cycle walk 8 alternate=yes\n    key 0 arm_l=30 arm_r=-30\n";
   const Mdl mdl = mdl_of(lines);
   ASSERT_EQ(mdl.frames.size(), 8u);
@@ -159,7 +159,7 @@ TEST(ModelMotion, CyclesCloseAndAlternatesAreMirrored) {
 }
 
 constexpr const char* kLegs =
-    "  paint plain grey\n  bone hips 0,0,0\n  bone leg_* 0,4,0 on=hips\n  bone shin_* 0,0,-12 on=leg_*\n"
+    "  paint plain gray\n  bone hips 0,0,0\n  bone leg_* 0,4,0 on=hips\n  bone shin_* 0,0,-12 on=leg_*\n"
     "  bone foot_* 0,0,-12 on=shin_*\n  foot foot_*\n  box foot_* 0,0,0 0.2,0.2,0.2\n";
 
 TEST(ModelMotion, FeetStayWhereTheyStandWhileHipsMove) {
@@ -189,7 +189,7 @@ TEST(ModelMotion, AGaitsFeetGoWithTheFloor) {
 
 TEST(ModelMotion, AGripHoldsOnToItsBone) {
   const Mdl mdl = mdl_of(
-      "  paint plain grey\n  bone chest 0,0,0\n  bone arm_l 0,4,8 on=chest\n  bone fore_l 0,0,-8 on=arm_l\n"
+      "  paint plain gray\n  bone chest 0,0,0\n  bone arm_l 0,4,8 on=chest\n  bone fore_l 0,0,-8 on=arm_l\n"
       "  bone hand_l 0,0,-8 on=fore_l\n  bone gun 6,0,2 on=chest\n  grip hand_l gun 2,0,0\n  box hand_l "
       "0,0,0 0.2,0.2,0.2\n"
       "  animation aim 3\n    key 0 gun=0\n    key 2 gun=0,40,0 gun.at=1,0,1\n");
@@ -288,14 +288,14 @@ TEST(ModelSkins, TexelsAreEvenlyDense) {
   }
 }
 
-TEST(ModelRecipes, WrongLinesAreToldWithWhatIsAllowed) {
+TEST(ModelScripts, WrongLinesAreToldWithWhatIsAllowed) {
   const std::string body = std::string(kPaintAndBone) + "  box a 0,0,0 1,1,1\n";
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "line 1: model: it has no shape"},
       {"  blob a\n", "line 2: blob: models have flags, bone"},
       {"  bone a 0,0,0 on=b\n", "line 2: bone: there is no bone 'b'"},
       {body + "  foot a\n", "line 5: foot: a limb's last bone is on one that is on another"},
-      {"  paint p mauve\n", "line 2: paint: 'mauve' is none of the palette's ramps: grey, brown"},
+      {"  paint p mauve\n", "line 2: paint: 'mauve' is none of the palette's ramps: gray, brown"},
       {body + "  tube a 0,0,0\n", "line 5: tube: '0,0,0' is not X,Y,Z:RADIUS"},
       {body + "  tube a 0,0,0:1\n", "line 5: tube: a tube has at least two places"},
       {body + "  tube a 0,0,0:1 0,0,1:0 0,0,2:1\n", "line 5: tube: a tube has radii above 0, but for points"},
@@ -319,7 +319,7 @@ TEST(ModelRecipes, WrongLinesAreToldWithWhatIsAllowed) {
   EXPECT_TRUE(error_of("  ball q 0,0,0 1,1,1\n").find("the model has no paint") != std::string::npos);
 }
 
-TEST(ModelRecipes, WhatIsTooLargeIsTold) {
+TEST(ModelScripts, WhatIsTooLargeIsTold) {
   const std::string far =
       std::string("model x.mdl\n") + kPaintAndBone + "  box a 0,0,0 1,1,1\n  box a 0,90000,0 2,2,2\n";
   const auto art = make_model_art(thing_of(far));
@@ -332,36 +332,36 @@ TEST(ModelRecipes, WhatIsTooLargeIsTold) {
 }
 
 base::Result<std::vector<ArtFile>> art_of(const std::string& text) {
-  const auto recipe = read_recipe(text);
-  EXPECT_TRUE(recipe.ok());
+  const auto script = read_script(text);
+  EXPECT_TRUE(script.ok());
   base::Jobs jobs(1);
-  const RecipeFile file{"test.recipe", *recipe};
+  const ScriptFile file{"test.script", *script};
   return make_art({&file, 1}, jobs);
 }
 
-TEST(RecipeParts, StandWhereTheyAreUsed) {
+TEST(ScriptParts, StandWhereTheyAreUsed) {
   const std::string used =
-      "part body\n  paint p grey\n  bone a 0,0,0\nmodel x.mdl\n  use body\n  box a 0,0,0 4,4,4\n";
-  const std::string plain = "model x.mdl\n  paint p grey\n  bone a 0,0,0\n  box a 0,0,0 4,4,4\n";
+      "part body\n  paint p gray\n  bone a 0,0,0\nmodel x.mdl\n  use body\n  box a 0,0,0 4,4,4\n";
+  const std::string plain = "model x.mdl\n  paint p gray\n  bone a 0,0,0\n  box a 0,0,0 4,4,4\n";
   const auto with_part = art_of(used), without = art_of(plain);
   ASSERT_TRUE(with_part.ok() && without.ok());
   ASSERT_EQ(with_part->size(), without->size());
   for (std::size_t i = 0; i < with_part->size(); ++i) EXPECT_EQ((*with_part)[i].bytes, (*without)[i].bytes);
 }
 
-TEST(RecipeParts, WrongOnesAreTold) {
+TEST(ScriptParts, WrongOnesAreTold) {
   EXPECT_EQ(art_of("model x.mdl\n  use body\n").error().message(),
-            "test.recipe: line 2: use: there is no part 'body'");
+            "test.script: line 2: use: there is no part 'body'");
   EXPECT_EQ(art_of("part a\n  use a\nmodel x.mdl\n  use a\n").error().message(),
-            "test.recipe: part a, line 2: use: parts use one another in a circle");
+            "test.script: part a, line 2: use: parts use one another in a circle");
   EXPECT_EQ(art_of("part a\n  bone b\npart a\n  bone c\n").error().message(),
-            "test.recipe: line 3: part: there is another of this name");
+            "test.script: line 3: part: there is another of this name");
   EXPECT_EQ(art_of("part a\n  bone b\nmodel x.mdl\n  use a\n").error().message(),
-            "test.recipe: part a, line 2: bone: X,Y,Z is missing");
+            "test.script: part a, line 2: bone: X,Y,Z is missing");
 }
 
-// The recipe in docs/art.md, as a reader copies it.
-TEST(ModelRecipes, TheDocumentsExampleIsAModel) {
+// The script in docs/art.md, as a reader copies it.
+TEST(ModelScripts, TheDocumentsExampleIsAModel) {
   std::ifstream file(TEMBLOR_SOURCE_DIR "/docs/art.md");
   std::ostringstream all;
   all << file.rdbuf();

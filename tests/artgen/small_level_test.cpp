@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "formats/bsp.h"
-#include "formats/entities.h"
-#include "support/bsp_faces.h"
-#include "support/plan_contents.h"
+#include "formats/levels/bsp.h"
+#include "formats/levels/entities.h"
+#include "support/levels/bsp_faces.h"
+#include "support/levels/level_script_contents.h"
 
 namespace temblor::artgen {
 namespace {
@@ -32,7 +32,7 @@ std::vector<NamedOptions> every_option() {
           {"WideFaces", {.wide_faces = true}},
           {"EdgeUsedThreeTimes", {.edge_used_three_times = true}},
           {"MissingTexture", {.missing_texture = true}},
-          {"ColouredLight", {.coloured_light = true}},
+          {"ColoredLight", {.colored_light = true}},
           {"Tiny", {.tiny = true}},
           {"OtherSeed", {.tiny = true, .seed = 99}},
           {"TinyWithEverything",
@@ -40,7 +40,7 @@ std::vector<NamedOptions> every_option() {
             .wide_faces = true,
             .edge_used_three_times = true,
             .missing_texture = true,
-            .coloured_light = true,
+            .colored_light = true,
             .tiny = true}}};
 }
 
@@ -78,15 +78,15 @@ TEST_P(EverySmallLevel, HasTheContentsOfItsPlanInEveryCell) {
       const formats::BspPlane& plane = bsp.planes[bsp_node.plane];
       node = bsp_node.children[glm::dot(plane.normal, point) >= plane.distance ? 0 : 1];
     }
-    return bsp.leafs[static_cast<std::size_t>(-(node + 1))].contents;
+    return bsp.leaves[static_cast<std::size_t>(-(node + 1))].contents;
   };
   std::map<std::int32_t, int> seen;
   for (auto x = cuts[0].begin(); std::next(x) != cuts[0].end(); ++x) {
     for (auto y = cuts[1].begin(); std::next(y) != cuts[1].end(); ++y) {
       for (auto z = cuts[2].begin(); std::next(z) != cuts[2].end(); ++z) {
-        const math::Vec3 centre((*x + *std::next(x)) / 2, (*y + *std::next(y)) / 2, (*z + *std::next(z)) / 2);
-        const std::int32_t expected = test::plan_contents(boxes, centre);
-        ASSERT_EQ(contents_at(centre), expected) << centre.x << " " << centre.y << " " << centre.z;
+        const math::Vec3 center((*x + *std::next(x)) / 2, (*y + *std::next(y)) / 2, (*z + *std::next(z)) / 2);
+        const std::int32_t expected = test::plan_contents(boxes, center);
+        ASSERT_EQ(contents_at(center), expected) << center.x << " " << center.y << " " << center.z;
         ++seen[expected];
       }
     }
@@ -192,7 +192,7 @@ int most_uses_of_an_edge(const formats::Bsp& bsp) {
 }
 
 TEST(SmallLevel, IsTheSameEveryTime) {
-  const SmallLevelOptions options{.four_styles = true, .coloured_light = true};
+  const SmallLevelOptions options{.four_styles = true, .colored_light = true};
   EXPECT_TRUE(make_small_level(options) == make_small_level(options));
 }
 
@@ -231,26 +231,26 @@ std::size_t most_styles(const formats::Bsp& bsp) {
 TEST(SmallLevel, HasTheLightThatIsAskedFor) {
   EXPECT_EQ(most_styles(make_small_level()), 2u);
   EXPECT_EQ(most_styles(make_small_level({.four_styles = true})), 4u);
-  const formats::Bsp dark = make_small_level({.light = false, .coloured_light = true});
+  const formats::Bsp dark = make_small_level({.light = false, .colored_light = true});
   EXPECT_TRUE(dark.lighting.empty());
   EXPECT_TRUE(dark.bspx.empty());
   EXPECT_EQ(most_styles(dark), 0u);
   EXPECT_TRUE(make_small_level().bspx.empty());
-  const formats::Bsp coloured = make_small_level({.coloured_light = true});
-  const formats::BspxLump* lump = coloured.find_bspx("RGBLIGHTING");
+  const formats::Bsp colored = make_small_level({.colored_light = true});
+  const formats::BspxLump* lump = colored.find_bspx("RGBLIGHTING");
   ASSERT_NE(lump, nullptr);
-  EXPECT_EQ(lump->data.size(), coloured.lighting.size() * 3);
-  EXPECT_EQ(coloured.lighting, make_small_level().lighting);
+  EXPECT_EQ(lump->data.size(), colored.lighting.size() * 3);
+  EXPECT_EQ(colored.lighting, make_small_level().lighting);
 }
 
-TEST(SmallLevel, HidesLeafsFromOneAnotherOnlyWithAPvs) {
+TEST(SmallLevel, HidesLeavesFromOneAnotherOnlyWithAPvs) {
   const formats::Bsp bsp = make_small_level();
   EXPECT_FALSE(bsp.visibility.empty());
-  for (std::int32_t leaf = 1; leaf <= bsp.models[0].visible_leafs; ++leaf)
-    EXPECT_GE(bsp.leafs[static_cast<std::size_t>(leaf)].visibility_offset, 0);
+  for (std::int32_t leaf = 1; leaf <= bsp.models[0].visible_leaves; ++leaf)
+    EXPECT_GE(bsp.leaves[static_cast<std::size_t>(leaf)].visibility_offset, 0);
   const formats::Bsp open = make_small_level({.pvs = false});
   EXPECT_TRUE(open.visibility.empty());
-  for (const formats::BspLeaf& leaf : open.leafs) EXPECT_EQ(leaf.visibility_offset, -1);
+  for (const formats::BspLeaf& leaf : open.leaves) EXPECT_EQ(leaf.visibility_offset, -1);
 }
 
 TEST(SmallLevel, LeavesOutTheTextureThatIsToBeMissing) {

@@ -1,4 +1,4 @@
-// What the words of sound recipes mean, held against what physics and arithmetic say of the signal.
+// What the words of sound scripts mean, held against what physics and arithmetic say of the signal.
 #include <gtest/gtest.h>
 #include <sndfile.h>
 
@@ -12,24 +12,24 @@
 #include <string_view>
 #include <vector>
 
-#include "artgen/recipe.h"
+#include "artgen/scripts/script.h"
 #include "artgen/sounds/curve.h"
 #include "artgen/sounds/mastering.h"
-#include "artgen/sounds/music_maker.h"
-#include "artgen/sounds/patch.h"
+#include "artgen/sounds/music/music_maker.h"
+#include "artgen/sounds/music/patch.h"
 #include "artgen/sounds/sound_maker.h"
 #include "artgen/sounds/vorbis_file.h"
-#include "formats/wav.h"
+#include "formats/sounds/wav.h"
+#include "support/programs/temporary_folder.h"
 #include "support/random.h"
-#include "support/temporary_folder.h"
 
 namespace temblor::artgen {
 namespace {
 
-std::vector<RecipeLine> lines_of(std::string_view text) {
-  base::Result<std::vector<RecipeLine>> lines = read_recipe(text);
+std::vector<ScriptLine> lines_of(std::string_view text) {
+  base::Result<std::vector<ScriptLine>> lines = read_script(text);
   EXPECT_TRUE(lines.ok());
-  return lines.ok() ? std::move(lines).value() : std::vector<RecipeLine>();
+  return lines.ok() ? std::move(lines).value() : std::vector<ScriptLine>();
 }
 
 Signal patch(std::string_view text, double seconds) {
@@ -63,7 +63,7 @@ double db(double ratio) {
 }
 
 TEST(SoundLanguage, CurvesGoThroughTheirPoints) {
-  const std::vector<RecipeLine> lines = lines_of("x level=0..1@0.5..0 pitch=100..400 steady=3 even=0..1..0");
+  const std::vector<ScriptLine> lines = lines_of("x level=0..1@0.5..0 pitch=100..400 steady=3 even=0..1..0");
   Arguments arguments(lines.front());
   const Curve level = curve_setting(arguments, "level", 1, {0, 1}, 2);
   for (const auto& [time_s, value] :
@@ -232,7 +232,7 @@ TEST(SoundLanguage, WrongLinesAreTold) {
 }
 
 TEST(SoundLanguage, NotesSoundAtTheirPitchAndGoRound) {
-  const std::vector<RecipeLine> lines = lines_of(
+  const std::vector<ScriptLine> lines = lines_of(
       "music track09 bpm=60 bars=2 beats=4\n"
       "  instrument flute tail=1 room=0\n"
       "    tone sine pitch=1 attack=0.01 fade=0.01\n"
@@ -258,7 +258,7 @@ TEST(SoundLanguage, NotesSoundAtTheirPitchAndGoRound) {
 
 TEST(SoundLanguage, MusicLinesThatAreWrongAreTold) {
   const auto error = [](const std::string& below) {
-    const std::vector<RecipeLine> lines = lines_of("music track02 bars=2\n" + below);
+    const std::vector<ScriptLine> lines = lines_of("music track02 bars=2\n" + below);
     const base::Result<Score> score = read_score(lines.front());
     return score.ok() ? "none" : score.error().message();
   };

@@ -12,18 +12,18 @@
 #include "artgen/palette.h"
 #include "artgen/textures/letters.h"
 #include "artgen/textures/texture.h"
-#include "formats/wad.h"
-#include "formats/wad_texture.h"
+#include "formats/archives/wad.h"
+#include "formats/images/wad_texture.h"
 
 namespace temblor::artgen {
 namespace {
 
 using testing::ElementsAre;
 
-base::Result<std::vector<formats::WadTexture>> make(std::string_view recipe) {
-  TRY(const std::vector<RecipeLine> lines, read_recipe(recipe));
+base::Result<std::vector<formats::WadTexture>> make(std::string_view script) {
+  TRY(const std::vector<ScriptLine> lines, read_script(script));
   std::vector<formats::WadTexture> textures;
-  for (const RecipeLine& line : lines) {
+  for (const ScriptLine& line : lines) {
     const auto maker = line.word == "switch"      ? make_switch
                        : line.word == "animation" ? make_animation
                                                   : make_texture;
@@ -39,14 +39,14 @@ base::Result<std::vector<formats::WadTexture>> make(std::string_view recipe) {
   return textures;
 }
 
-formats::WadTexture one(std::string_view recipe) {
-  base::Result<std::vector<formats::WadTexture>> made = make(recipe);
+formats::WadTexture one(std::string_view script) {
+  base::Result<std::vector<formats::WadTexture>> made = make(script);
   EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().message());
   return made.ok() && !made->empty() ? made->front() : formats::WadTexture();
 }
 
-std::string error_of(std::string_view recipe) {
-  const base::Result<std::vector<formats::WadTexture>> made = make(recipe);
+std::string error_of(std::string_view script) {
+  const base::Result<std::vector<formats::WadTexture>> made = make(script);
   return made.ok() ? "none" : made.error().message();
 }
 
@@ -58,8 +58,8 @@ std::int64_t count_of(const formats::WadTexture& texture, std::uint8_t index) {
   return std::count(texture.mips[0].begin(), texture.mips[0].end(), index);
 }
 
-const std::uint8_t kWall = ramp_colour(Ramp::kSlate, 0.4);
-const std::uint8_t kGold = ramp_colour(Ramp::kGold, 0.6);
+const std::uint8_t kWall = ramp_color(Ramp::kSlate, 0.4);
+const std::uint8_t kGold = ramp_color(Ramp::kGold, 0.6);
 
 TEST(Textures, ShapesCoverWhatTheySay) {
   const formats::WadTexture box = one("texture a 32x16\n  fill slate 0.4\n  rect gold 0.6 at=4,2 size=10x6");
@@ -94,7 +94,7 @@ TEST(Textures, LayersUnderAShapeAreSeenOnlyThere) {
           "    fill gold 0.6\n"
           "    inlay red 0.5 at=8,8 size=4x4\n");
   EXPECT_EQ(count_of(made, kGold), 256 - 16);
-  EXPECT_EQ(count_of(made, ramp_colour(Ramp::kRed, 0.5)), 16);
+  EXPECT_EQ(count_of(made, ramp_color(Ramp::kRed, 0.5)), 16);
 }
 
 TEST(Textures, ReliefIsLitFromAboveOnTheLeft) {
@@ -113,8 +113,8 @@ TEST(Textures, LampsKeepTheirLightAndGiveSome) {
   const formats::WadTexture made =
       one("texture a 32x32\n  fill slate 0.4\n  disc fire 0.9 radius=6 raise=8\n  relief 1\n  halo radius=6 "
           "by=0.4");
-  EXPECT_EQ(texel(made, 11, 16), ramp_colour(Ramp::kFire, 0.9));
-  EXPECT_EQ(texel(made, 20, 16), ramp_colour(Ramp::kFire, 0.9));
+  EXPECT_EQ(texel(made, 11, 16), ramp_color(Ramp::kFire, 0.9));
+  EXPECT_EQ(texel(made, 20, 16), ramp_color(Ramp::kFire, 0.9));
   EXPECT_EQ(texel(one("texture a 32x32\n  fill slate 0.4\n  disc fire 0.9 radius=6\n  halo radius=6 by=0.4"),
                   8, 16) > kWall,
             true);
@@ -151,10 +151,10 @@ TEST(Textures, AValueWithSlashesIsAnotherOneInEachFrame) {
   std::vector<std::string> names;
   for (const formats::WadTexture& frame : *frames) names.push_back(frame.name);
   EXPECT_THAT(names, ElementsAre("+0glow", "+1glow", "+2glow", "+0knob", "+aknob"));
-  EXPECT_EQ(texel((*frames)[1], 15, 15), ramp_colour(Ramp::kSlate, 0.2));
+  EXPECT_EQ(texel((*frames)[1], 15, 15), ramp_color(Ramp::kSlate, 0.2));
   EXPECT_EQ(texel((*frames)[1], 4, 0), kGold);
   EXPECT_EQ(texel((*frames)[2], 8, 0), kGold);
-  EXPECT_EQ(texel((*frames)[4], 0, 0), ramp_colour(Ramp::kSlate, 0.2));
+  EXPECT_EQ(texel((*frames)[4], 0, 0), ramp_color(Ramp::kSlate, 0.2));
 }
 
 TEST(Textures, FencesAreHolesWhereNothingIsPainted) {
@@ -183,7 +183,7 @@ TEST(Textures, WhatIsWrongIsTold) {
   EXPECT_EQ(error_of("texture a 16x16\n  fill slate 0.4\n    noise"),
             "line 3: noise: no layer can stand under this one");
   EXPECT_EQ(error_of("texture a 16x16\n  rect slat 0.4"),
-            "line 2: rect: 'slat' is no ramp of the palette; there are grey brown brick sand red olive gold "
+            "line 2: rect: 'slat' is no ramp of the palette; there are gray brown brick sand red olive gold "
             "teal blue "
             "purple slate rust skin green fire electric");
   EXPECT_EQ(error_of("texture a 16x16\n  rect at=4"), "line 2: rect: at=4 is not X,Y");

@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "artgen/small_level.h"
-#include "formats/bsp.h"
-#include "formats/lit.h"
-#include "formats/pak.h"
+#include "formats/archives/pak.h"
+#include "formats/levels/bsp.h"
+#include "formats/levels/lit.h"
 #include "support/effort.h"
 #include "support/game_data.h"
 #include "support/mutations.h"
-#include "support/temporary_folder.h"
+#include "support/programs/temporary_folder.h"
 
 namespace temblor::assets {
 namespace {
@@ -28,7 +28,7 @@ base::ByteVector bytes_of(const formats::Bsp& bsp) {
   return formats::write_bsp(bsp, formats::BspVersion::k29).value();
 }
 
-// Coloured light for the level, every sample `value`; `extra` samples too many.
+// Colored light for the level, every sample `value`; `extra` samples too many.
 base::ByteVector lit_for(const formats::Bsp& bsp, std::uint8_t value, std::size_t extra = 0) {
   return formats::write_lit({std::vector<std::uint8_t>(3 * (bsp.lighting.size() + extra), value)});
 }
@@ -126,9 +126,9 @@ TEST(LoadLevelFile, TakesTheLightBesideIt) {
   EXPECT_EQ(plain->level->name, "tiny");
   EXPECT_THAT(plain->level->light_rgb, IsEmpty());
   folder.write("somewhere/tiny.lit", lit_for(bsp, 9));
-  const auto coloured = load_level_file(path);
-  ASSERT_TRUE(coloured.ok());
-  EXPECT_THAT(coloured->level->light_rgb, ::testing::Each(9));
+  const auto colored = load_level_file(path);
+  ASSERT_TRUE(colored.ok());
+  EXPECT_THAT(colored->level->light_rgb, ::testing::Each(9));
 }
 
 TEST(LoadLevelFile, ErrorsNameTheFile) {
@@ -161,7 +161,7 @@ TEST(LoadLook, AMissingColormapIsMade) {
   folder.write("id1/gfx/palette.lmp", base::ByteVector(768, std::byte{128}));
   const auto look = load_look(open_or_die(folder));
   ASSERT_TRUE(look.ok());
-  // All colours are the same: the lowest index stands for the lit ones, full-bright ones stay.
+  // All colors are the same: the lowest index stands for the lit ones, full-bright ones stay.
   EXPECT_EQ(look->colormap.rows[31 * 256 + 100], 0);
   EXPECT_EQ(look->colormap.rows[31 * 256 + 250], 250);
 }
@@ -192,8 +192,8 @@ TEST(LoadLevel, LoadsStockLevelsWithoutANote) {
     const auto loaded = load_level(*files, map_name);
     ASSERT_TRUE(loaded.ok()) << loaded.error().message();
     EXPECT_THAT(loaded->notes, IsEmpty()) << name;
-    const bool coloured = files->contains("maps/" + map_name + ".lit");
-    EXPECT_EQ(loaded->level->light_rgb.size(), coloured ? 3 * loaded->level->light.size() : 0) << name;
+    const bool colored = files->contains("maps/" + map_name + ".lit");
+    EXPECT_EQ(loaded->level->light_rgb.size(), colored ? 3 * loaded->level->light.size() : 0) << name;
   }
 }
 

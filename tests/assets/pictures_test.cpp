@@ -7,11 +7,11 @@
 #include <set>
 
 #include "assets/stock_pictures.h"
-#include "formats/wad.h"
+#include "formats/archives/wad.h"
 #include "support/effort.h"
 #include "support/game_data.h"
+#include "support/programs/temporary_folder.h"
 #include "support/random.h"
-#include "support/temporary_folder.h"
 
 namespace temblor::assets {
 namespace {
@@ -40,7 +40,7 @@ bool is_checker(const formats::Picture& picture) {
   return std::set<std::uint8_t>(picture.pixels.begin(), picture.pixels.end()).size() == 2;
 }
 
-// Everything that a stock game has, each picture of one colour.
+// Everything that a stock game has, each picture of one color.
 class StockFolder {
  public:
   StockFolder() {

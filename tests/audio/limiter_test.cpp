@@ -1,5 +1,5 @@
 // The limiter by what it promises: never above its ceiling, silent about what is not too loud, and no steps.
-#include "audio/limiter.h"
+#include "audio/mixing/limiter.h"
 
 #include <gtest/gtest.h>
 

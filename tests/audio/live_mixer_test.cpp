@@ -86,18 +86,18 @@ TEST(LiveMixer, DeviceSideAsksTheHeapForNothing) {
 
 constexpr int kLong = 20000;  // posts
 // A few of those that are kept one by one, and one folded.
-constexpr long kMostKept = 3000;
+constexpr long kMaxKept = 3000;
 
 TEST(LiveMixer, OnlySoMuchWaitsForADeviceThatHangs) {
   LiveMixer mixer;
   const audio::SoundPtr sound = constant_sound(0.01f, 100);
   for (int i = 0; i < kLong; ++i) mixer.post(quiet_scene(), started(sound, i, i % 3));
-  EXPECT_LT(sound.use_count(), kMostKept);
+  EXPECT_LT(sound.use_count(), kMaxKept);
   SoundEvents all;
   all.statics.push_back({.sound = sound});
   all.stopped.push_back({1, 1});
   for (int i = 0; i < kLong; ++i) mixer.post(quiet_scene(), all);
-  EXPECT_LT(sound.use_count(), kMostKept);
+  EXPECT_LT(sound.use_count(), kMaxKept);
   all.begins_anew = true;
   mixer.post(quiet_scene(), all);
   EXPECT_LT(sound.use_count(), 5);

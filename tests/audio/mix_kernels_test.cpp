@@ -1,11 +1,11 @@
 // The mixer's inner loop against its definition, in double precision, and its two forms against each other.
-#include "audio/mix_kernels.h"
+#include "audio/mixing/mix_kernels.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "render/vector_targets.h"
+#include "render/simd_targets.h"
 #include "support/random.h"
 
 namespace temblor::test {
@@ -38,7 +38,7 @@ TEST(MixKernel, AddsSamplesWithGainsThatMove) {
     Random random(seed);
     const Case before(random);
     Case after = before;
-    audio::mix_plain(after.ready());
+    audio::mix_scalar(after.ready());
     for (std::size_t i = 0; i < before.left.size(); ++i) {
       const auto expected = [&](float own, float gain, float step) {
         return double{own} +
@@ -52,13 +52,13 @@ TEST(MixKernel, AddsSamplesWithGainsThatMove) {
 }
 
 TEST(MixKernel, VectorFormsAreThePlainOneBitForBit) {
-  for_each_vector_target([] {
+  for_each_simd_target([] {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       Random random(seed);
       Case plain(random);
       Case vector = plain;
-      audio::mix_plain(plain.ready());
-      audio::mix_vector(vector.ready());
+      audio::mix_scalar(plain.ready());
+      audio::mix_simd(vector.ready());
       ASSERT_EQ(plain.left, vector.left) << "seed " << seed;
       ASSERT_EQ(plain.right, vector.right) << "seed " << seed;
     }

@@ -10,13 +10,13 @@
 #include <numbers>
 #include <thread>
 
+#include "audio/mixing/music_stream.h"
 #include "audio/music_decoder.h"
-#include "audio/music_stream.h"
 #include "audio/signals.h"
 #include "support/game_data.h"
 #include "support/mutations.h"
+#include "support/programs/temporary_folder.h"
 #include "support/random.h"
-#include "support/temporary_folder.h"
 
 // libsndfile 1.2 loses what libvorbis took when a file turns out to be damaged; asked by the leak sanitizer.
 extern "C" const char* __lsan_default_suppressions();

@@ -9,7 +9,7 @@
 
 #include "audio/mixer.h"
 #include "audio/sound.h"
-#include "formats/wav.h"
+#include "formats/sounds/wav.h"
 
 namespace temblor::test {
 
@@ -29,7 +29,7 @@ double amplitude_of(std::span<const float> samples, double frequency_hz);
 double rest_db(std::span<const float> samples, double frequency_hz);
 double to_db(double ratio);
 double rms(std::span<const float> samples);
-// The largest difference between neighbours.
+// The largest difference between neighbors.
 double largest_step(std::span<const float> samples);
 double peak(std::span<const float> samples);
 

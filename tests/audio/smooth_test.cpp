@@ -1,4 +1,4 @@
-// No clicks: whatever begins, ends, moves or is turned down, neighbouring samples differ by no more than the
+// No clicks: whatever begins, ends, moves or is turned down, neighboring samples differ by no more than the
 // sounds themselves do, and a little. And nothing above full scale in ten minutes of battle.
 #include <gtest/gtest.h>
 

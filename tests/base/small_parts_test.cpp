@@ -43,8 +43,8 @@ TEST(Text, EqualIgnoringCaseOfEveryPairOfCharacters) {
 enum class CrateIndex : std::uint32_t {};
 enum class ShelfIndex : std::uint32_t {};
 static_assert(IndexType<CrateIndex>);
-enum class Colour : std::uint8_t {};
-static_assert(!IndexType<std::uint32_t> && !IndexType<Colour>);
+enum class Color : std::uint8_t {};
+static_assert(!IndexType<std::uint32_t> && !IndexType<Color>);
 static_assert(!std::is_convertible_v<CrateIndex, ShelfIndex> && !std::is_convertible_v<int, CrateIndex>);
 
 TEST(Index, GoesToAPositionAndBack) {

@@ -17,14 +17,14 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr std::array<std::string_view, 3> kColours = {"red", "green", "blue"};
+constexpr std::array<std::string_view, 3> kColors = {"red", "green", "blue"};
 
 class CompletionTest : public ::testing::Test {
  protected:
   CompletionTest() {
     variables_.add_int("m_speed", 3, 0, 20, "How far the mouse turns.");
     variables_.add_bool("m_filter", false, "Smooths it.");
-    variables_.add_choice("colour", kColours, "A colour.");
+    variables_.add_choice("color", kColors, "A color.");
     console_.add_command("Map", "map NAME starts a level.", [](Console::Arguments) {});
     console_.set_argument_list("map", [] {
       return std::vector<Candidate>{{"start", CandidateKind::kArgument, "", "Welcome"},
@@ -92,9 +92,9 @@ TEST_F(CompletionTest, BuiltInCommandsKnowNames) {
 }
 
 TEST_F(CompletionTest, ValuesAreOfTheirVariable) {
-  EXPECT_THAT(names("colour "), ElementsAre("blue", "green", "red"));
-  EXPECT_THAT(names("colour G"), ElementsAre("green"));
-  EXPECT_THAT(names("set colour r"), ElementsAre("red"));
+  EXPECT_THAT(names("color "), ElementsAre("blue", "green", "red"));
+  EXPECT_THAT(names("color G"), ElementsAre("green"));
+  EXPECT_THAT(names("set color r"), ElementsAre("red"));
   EXPECT_THAT(names("m_filter "), ElementsAre("0", "1"));
   EXPECT_THAT(names("m_speed "), IsEmpty());
 }
@@ -110,7 +110,7 @@ TEST_F(CompletionTest, HintsSayWhatIsTaken) {
 // Whatever is typed: what is found begins as the word does.
 TEST_F(CompletionTest, CandidatesAlwaysGoOnFromTheWord) {
   for (const std::string line :
-       {"m", "set colour b", "map e", ";;m_", "\"", "\";", "a \"b", "//", "// m", "\x80"}) {
+       {"m", "set color b", "map e", ";;m_", "\"", "\";", "a \"b", "//", "// m", "\x80"}) {
     const Completion completion = console_.complete_line(line);
     ASSERT_LE(completion.begin, line.size()) << line;
     const std::string word = line.substr(completion.begin);

@@ -18,14 +18,14 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-constexpr std::array<std::string_view, 3> kColours = {"red", "green", "blue"};
+constexpr std::array<std::string_view, 3> kColors = {"red", "green", "blue"};
 
 class ConsoleTest : public ::testing::Test {
  protected:
   ConsoleTest() {
     variables_.add_int("sensitivity", 3, 0, 20, "How far the mouse turns.");
     variables_.add_bool("crosshair", false, "Shows a cross.");
-    variables_.add_choice("colour", kColours, "A colour.");
+    variables_.add_choice("color", kColors, "A color.");
     console_.add_command("note", "Notes its words.", [this](Console::Arguments arguments) {
       std::string line;
       for (const std::string& word : arguments.subspan(1)) line += "[" + word + "]";
@@ -82,12 +82,12 @@ TEST_F(ConsoleTest, VariablesAreShownAndSet) {
 }
 
 TEST_F(ConsoleTest, ToggleGoesThroughFixedValues) {
-  run("toggle crosshair; toggle colour");
+  run("toggle crosshair; toggle color");
   EXPECT_EQ(variables_.find("crosshair")->text, "1");
-  EXPECT_EQ(variables_.find("colour")->text, "green");
-  run("toggle crosshair; toggle colour; toggle colour");
+  EXPECT_EQ(variables_.find("color")->text, "green");
+  run("toggle crosshair; toggle color; toggle color");
   EXPECT_EQ(variables_.find("crosshair")->text, "0");
-  EXPECT_EQ(variables_.find("colour")->text, "red");
+  EXPECT_EQ(variables_.find("color")->text, "red");
   EXPECT_THAT(lines_, IsEmpty());
   run("toggle sensitivity; toggle nothing; toggle");
   EXPECT_EQ(lines_.size(), 3u);
@@ -182,7 +182,7 @@ TEST_F(ConsoleTest, AFileOfAMegabyteThatExecsItselfEnds) {
 TEST_F(ConsoleTest, LinesOfAMegabyteAreAnsweredBriefly) {
   const std::string megabyte(Console::kMaxPendingChars - 100, 'x');
   for (const char* before :
-       {"", "sensitivity ", "help ", "inc ", "unalias ", "cycle colour ", "apropos ", "reset "}) {
+       {"", "sensitivity ", "help ", "inc ", "unalias ", "cycle color ", "apropos ", "reset "}) {
     lines_.clear();
     run(before + megabyte);
     for (const std::string& line : lines_) EXPECT_LT(line.size(), 200u) << before;

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-constexpr std::array<std::string_view, 3> kColours = {"red", "green", "blue"};
+constexpr std::array<std::string_view, 3> kColors = {"red", "green", "blue"};
 
 class VariableCommands : public ::testing::Test {
  protected:
@@ -25,7 +25,7 @@ class VariableCommands : public ::testing::Test {
     variables_.add_int("viewsize", 100, 30, 120, "How much of the frame the view takes.");
     variables_.add_float("gamma", 1, 0.5, 2, "Brightens the dark.");
     variables_.add_bool("crosshair", false, "Shows a cross.");
-    variables_.add_choice("colour", kColours, "A colour.");
+    variables_.add_choice("color", kColors, "A color.");
     variables_.add_text("name", "player", "What others call you.");
     console_.add_command("map", "map NAME starts a level.", [](Console::Arguments) {});
   }
@@ -57,7 +57,7 @@ TEST_F(VariableCommands, IncStaysInRange) {
 TEST_F(VariableCommands, IncSaysWhatIsWrong) {
   for (const char* wrong :
        {"inc", "inc viewsize 1 2", "inc nothing", "inc viewsize x", "inc viewsize nan", "inc viewsize inf",
-        "inc viewsize 1e999", "inc viewsize \"\"", "inc name 1", "inc colour", "inc crosshair"})
+        "inc viewsize 1e999", "inc viewsize \"\"", "inc name 1", "inc color", "inc crosshair"})
     EXPECT_EQ(run(wrong).size(), 1u) << wrong;
   EXPECT_EQ(value("viewsize"), "100");
 }
@@ -71,7 +71,7 @@ TEST_F(VariableCommands, CycleGoesThroughItsValues) {
   EXPECT_EQ(after("gamma", "cycle gamma 1.0 1.5 2"), "2");
   EXPECT_EQ(after("gamma", "cycle gamma 1.0 1.5 2"), "1");
   EXPECT_EQ(after("gamma", "cycle gamma 0.5 0.75"), "0.5") << "where none of them is set";
-  EXPECT_EQ(after("colour", "cycle colour RED blue"), "blue");
+  EXPECT_EQ(after("color", "cycle color RED blue"), "blue");
   EXPECT_EQ(after("name", "cycle name a \"b c\""), "a");
   EXPECT_EQ(after("name", "cycle name a \"b c\""), "b c");
   for (const char* wrong : {"cycle", "cycle gamma", "cycle nothing 1 2", "cycle gamma 9"})
@@ -85,7 +85,7 @@ TEST_F(VariableCommands, SetaIsSet) {
 }
 
 TEST_F(VariableCommands, ResetallResetsAll) {
-  run("gamma 2; viewsize 60; crosshair 1; colour blue; name x; resetall");
+  run("gamma 2; viewsize 60; crosshair 1; color blue; name x; resetall");
   for (const Variable* variable : variables_.all()) EXPECT_EQ(variable->text, variable->default_text);
 }
 
@@ -95,9 +95,9 @@ TEST_F(VariableCommands, UnaliasallForgetsAll) {
 
 TEST_F(VariableCommands, CvarlistMarksWhatHasChanged) {
   EXPECT_THAT(run("name x; cvarlist"),
-              ElementsAre("  colour \"red\"", "  crosshair \"0\"", "  gamma \"1\"", "* name \"x\"",
+              ElementsAre("  color \"red\"", "  crosshair \"0\"", "  gamma \"1\"", "* name \"x\"",
                           "  viewsize \"100\"", HasSubstr("5 variables;")));
-  EXPECT_THAT(run("cvarlist C"), ElementsAre("  colour \"red\"", "  crosshair \"0\"",
+  EXPECT_THAT(run("cvarlist C"), ElementsAre("  color \"red\"", "  crosshair \"0\"",
                                              HasSubstr("2 variables that begin with \"C\"")));
   EXPECT_THAT(run("cvarlist zz"), ElementsAre(HasSubstr("0 variables")));
 }
@@ -127,7 +127,7 @@ TEST_F(VariableCommands, ValuesAreComparedAsTheyAreMeant) {
   const auto has = [&](const char* name, const char* text) {
     return has_value(*variables_.find(name), text);
   };
-  EXPECT_TRUE(has("gamma", "1.0") && has("gamma", "+1") && has("crosshair", "off") && has("colour", "Red"));
+  EXPECT_TRUE(has("gamma", "1.0") && has("gamma", "+1") && has("crosshair", "off") && has("color", "Red"));
   EXPECT_FALSE(has("gamma", "1.1") || has("gamma", "x") || has("crosshair", "2") || has("name", "Player"));
 }
 

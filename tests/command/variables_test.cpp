@@ -12,7 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr std::array<std::string_view, 3> kColours = {"red", "green", "blue"};
+constexpr std::array<std::string_view, 3> kColors = {"red", "green", "blue"};
 
 // One variable of each type.
 struct Table {
@@ -21,7 +21,7 @@ struct Table {
   VariableIndex count = variables.add_int("r_count", 5, -1, 10, "A count.");
   VariableIndex scale = variables.add_float("r_scale", 0.5, 0, 2, "A scale.");
   VariableIndex name = variables.add_text("name", "player", "A name.");
-  VariableIndex colour = variables.add_choice("Colour", kColours, "A colour.");
+  VariableIndex color = variables.add_choice("Color", kColors, "A color.");
 };
 
 TEST(Variables, StartWithTheirDefaults) {
@@ -30,7 +30,7 @@ TEST(Variables, StartWithTheirDefaults) {
   EXPECT_EQ(table.variables.int_value(table.count), 5);
   EXPECT_EQ(table.variables.float_value(table.scale), 0.5);
   EXPECT_EQ(table.variables.text_value(table.name), "player");
-  EXPECT_EQ(table.variables.choice_value(table.colour), 0u);
+  EXPECT_EQ(table.variables.choice_value(table.color), 0u);
   EXPECT_EQ(table.variables.version(), 0u);
 }
 
@@ -87,11 +87,11 @@ TEST(Variables, FloatsAreFiniteAndInRange) {
 
 TEST(Variables, ChoicesAreByName) {
   Table table;
-  ASSERT_TRUE(table.variables.set("colour", "BLUE").ok());
-  EXPECT_EQ(table.variables.choice_value(table.colour), 2u);
-  EXPECT_EQ(table.variables.get(table.colour).text, "blue");
+  ASSERT_TRUE(table.variables.set("color", "BLUE").ok());
+  EXPECT_EQ(table.variables.choice_value(table.color), 2u);
+  EXPECT_EQ(table.variables.get(table.color).text, "blue");
   for (const char* wrong : {"2", "", "blu", "blue "})
-    EXPECT_FALSE(table.variables.set("colour", wrong).ok()) << wrong;
+    EXPECT_FALSE(table.variables.set("color", wrong).ok()) << wrong;
 }
 
 TEST(Variables, TextIsKeptAsItIs) {
@@ -108,7 +108,7 @@ TEST(Variables, ErrorsSayWhatIsTaken) {
   ASSERT_FALSE(range.ok());
   EXPECT_EQ(range.error().code, base::ErrorCode::kUsage);
   EXPECT_EQ(range.error().what, "r_count cannot be \"77\": it takes a whole number from -1 to 10");
-  EXPECT_THAT(table.variables.set("colour", "pink").error().what, HasSubstr("one of red, green, blue"));
+  EXPECT_THAT(table.variables.set("color", "pink").error().what, HasSubstr("one of red, green, blue"));
   EXPECT_THAT(table.variables.set("r_scale", "9").error().what, HasSubstr("a number from 0 to 2"));
   EXPECT_THAT(table.variables.set("r_flag", "9").error().what, HasSubstr("0 or 1"));
   const base::Status unknown = table.variables.set("r_nothing", "1");
@@ -153,9 +153,9 @@ TEST(Variables, AllAreListedByName) {
   const Table table;
   std::vector<std::string> names;
   for (const Variable* variable : table.variables.all()) names.push_back(variable->name);
-  EXPECT_THAT(names, ElementsAre("Colour", "name", "r_count", "r_flag", "r_scale"));
+  EXPECT_THAT(names, ElementsAre("Color", "name", "r_count", "r_flag", "r_scale"));
   EXPECT_EQ(table.variables.find("nobody"), nullptr);
-  EXPECT_EQ(table.variables.find("COLOUR"), &table.variables.get(table.colour));
+  EXPECT_EQ(table.variables.find("COLOR"), &table.variables.get(table.color));
 }
 
 TEST(Variables, TwoTablesShareNothing) {

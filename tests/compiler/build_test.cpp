@@ -9,16 +9,16 @@
 #include "artgen/palette.h"
 #include "compiler/build_file.h"
 #include "compiler/compile_level.h"
-#include "formats/lit.h"
+#include "formats/levels/lit.h"
 #include "support/effort.h"
-#include "support/room_map.h"
+#include "support/levels/room_map.h"
 
 namespace temblor::test {
 namespace {
 
 using compiler::Build;
 using compiler::CompileOptions;
-using compiler::StageWish;
+using compiler::StagePolicy;
 using math::Vec3d;
 
 class Stopper : public compiler::CompileWatcher {
@@ -165,8 +165,8 @@ TEST(Build, AnyEditsGiveTheLevelThatIsMadeAnew) {
     }
     CompileOptions options;
     options.fast_visibility = number(4) == 0;
-    options.visibility_wish = number(5) == 0 ? StageWish::kLeaveOut : StageWish::kMake;
-    options.light_wish = number(5) == 0 ? StageWish::kLeaveOut : StageWish::kMake;
+    options.visibility_wish = number(5) == 0 ? StagePolicy::kSkip : StagePolicy::kBuild;
+    options.light_wish = number(5) == 0 ? StagePolicy::kSkip : StagePolicy::kBuild;
     options.bsp2 = number(6) == 0;
     if (number(2) == 0) build = reread(files_of(build));  // as another run finds it
     bring_up_to_date(place, options, build, 1 + number(2));
@@ -178,7 +178,7 @@ TEST(Build, AnyEditsGiveTheLevelThatIsMadeAnew) {
 // One stage alone leaves of the others what still fits the brushes.
 TEST(Build, KeptStagesStayUntilBrushesChange) {
   CompileOptions only_bsp;
-  only_bsp.visibility_wish = only_bsp.light_wish = StageWish::kKeep;
+  only_bsp.visibility_wish = only_bsp.light_wish = StagePolicy::kReuse;
   Place place;
   Build build = make(place);
   const formats::Bsp before = build.bsp;
@@ -286,7 +286,7 @@ TEST(Build, LevelWithoutItsMapKeepsWhatIsNotLight) {
   bsp.bspx.push_back({"BRUSHLIST", base::ByteVector(4)});
   Build build = compiler::build_of_level(bsp, {}, true).value();
   CompileOptions options;
-  options.light_wish = StageWish::kLeaveOut;
+  options.light_wish = StagePolicy::kSkip;
   const auto finish = [&] {
     return stages_run(
         compiler::finish_level(artgen::make_palette(), options, jobs, nobody, build, warnings).value());

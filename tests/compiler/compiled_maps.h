@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "compiler/compile_level.h"
-#include "formats/map.h"
-#include "formats/palette.h"
+#include "formats/images/palette.h"
+#include "formats/levels/map.h"
 
 namespace temblor::test {
 
@@ -29,7 +29,7 @@ StockTextures stock_textures(const std::filesystem::path& base_folder, const for
 
 struct CompiledMap {
   compiler::Build level;
-  std::optional<compiler::LeakWay> leak;
+  std::optional<compiler::LeakPath> leak;
   compiler::Warnings warnings;
 };
 // CHECKs that it compiles.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "formats/bsp_validate.h"
-#include "support/bsp_faces.h"
-#include "support/room_map.h"
+#include "formats/levels/bsp_validate.h"
+#include "support/levels/bsp_faces.h"
+#include "support/levels/room_map.h"
 #include "world/level.h"
 
 namespace temblor::test {

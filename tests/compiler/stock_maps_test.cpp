@@ -9,8 +9,8 @@
 
 #include "base/text.h"
 #include "compiler/make_draft.h"
-#include "formats/bsp.h"
-#include "formats/entities.h"
+#include "formats/levels/bsp.h"
+#include "formats/levels/entities.h"
 #include "support/effort.h"
 #include "support/game_data.h"
 #include "support/random.h"

@@ -6,7 +6,7 @@
 
 #include "game/room_level.h"
 #include "support/game_data.h"
-#include "support/quakec.h"
+#include "support/programs/quakec.h"
 
 namespace temblor::test {
 namespace {

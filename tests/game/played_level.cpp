@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/check.h"
-#include "server/field_text.h"
+#include "server/game/field_text.h"
 #include "server/move_trace.h"
 
 namespace temblor::test {

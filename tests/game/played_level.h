@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "server/game_loader.h"
+#include "server/game/game_loader.h"
 
 namespace temblor::test {
 

@@ -137,7 +137,7 @@ TEST(Players, KeepOffWhatTheyHaveEnoughOf) {
   EXPECT_NE(game.edict(item)[field::kModelIndex], 0);
 }
 
-TEST(Players, ArmourTakesItsPart) {
+TEST(Players, ArmorTakesItsPart) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "start", kProgs);
   game.join(0);
@@ -145,7 +145,7 @@ TEST(Players, ArmourTakesItsPart) {
   game.run(1);
   const std::uint32_t trap = game.spawn("trigger_hurt", {}, 0);
   game.hurt(1, trap, 50);
-  // Yellow armour holds off 0.6 of it.
+  // Yellow armor holds off 0.6 of it.
   EXPECT_NEAR(game.player(0)[field::kHealth], 80, 1);
   EXPECT_NEAR(game.player(0)[field::kArmorValue], 120, 1);
   EXPECT_EQ(game.player(0)[field::kHealth] + game.player(0)[field::kArmorValue], 200);

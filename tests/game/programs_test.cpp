@@ -9,9 +9,9 @@
 #include <sstream>
 
 #include "base/check.h"
-#include "formats/bsp.h"
-#include "formats/entities.h"
-#include "formats/map.h"
+#include "formats/levels/bsp.h"
+#include "formats/levels/entities.h"
+#include "formats/levels/map.h"
 #include "game/program_file.h"
 #include "support/game_data.h"
 

@@ -1,7 +1,7 @@
 #include "game/room_level.h"
 
 #include "compiler/drafts.h"
-#include "formats/bsp.h"
+#include "formats/levels/bsp.h"
 #include "game/program_file.h"
 
 namespace temblor::test {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "game/played_level.h"
-#include "support/room_map.h"
-#include "support/temporary_folder.h"
+#include "support/levels/room_map.h"
+#include "support/programs/temporary_folder.h"
 
 namespace temblor::test {
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "base/check.h"
-#include "formats/png.h"
+#include "formats/images/png.h"
 #include "support/game_data.h"
 
 namespace temblor::test {
@@ -43,13 +43,13 @@ bool same_size(const formats::Image& a, const formats::Image& b) {
 
 // Left to right, top edges in line, a stripe between.
 formats::Image in_a_row(std::span<const formats::Image> images) {
-  constexpr std::uint32_t kStripe = 4, kStripeColour = kOpaque | 0x808080;
+  constexpr std::uint32_t kStripe = 4, kStripeColor = kOpaque | 0x808080;
   formats::Image row;
   for (const formats::Image& image : images) {
     row.width += image.width + kStripe;
     row.height = std::max(row.height, image.height);
   }
-  row.pixels.assign(std::size_t{row.width} * row.height, kStripeColour);
+  row.pixels.assign(std::size_t{row.width} * row.height, kStripeColor);
   std::uint32_t left = 0;
   for (const formats::Image& image : images) {
     for (std::uint32_t y = 0; y < image.height; ++y)

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "formats/image.h"
+#include "formats/images/image.h"
 
 namespace temblor::test {
 

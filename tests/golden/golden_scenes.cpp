@@ -21,14 +21,14 @@ std::span<const GoldenScene> golden_scenes() {
        draw_see_through},
       // Two of 255: how exact a step of fog is.
       {"fog", "the court fades into violet, its sky half", PixelFormat::kRgb, draw_fog, {.step = 2}},
-      {"fog_indexed", "the same in the palette's colours, where greys turn violet all at once",
+      {"fog_indexed", "the same in the palette's colors, where grays turn violet all at once",
        PixelFormat::kIndexed, draw_fog},
-      {"skybox", "two sides and the top, chequered; along their edges bright squares meet dark ones",
+      {"skybox", "two sides and the top, checkered; along their edges bright squares meet dark ones",
        PixelFormat::kRgb, draw_skybox},
       {"under_water", "from the pool's ground: all sways and is brown; nothing empty at the borders",
        PixelFormat::kIndexed, draw_under_water},
       {"models_near",
-       "a ball, a box, a walker in his own colours and one in red and green; no holes, no swimming textures",
+       "a ball, a box, a walker in his own colors and one in red and green; no holes, no swimming textures",
        PixelFormat::kRgb, draw_models_near},
       {"models_far", "rows of walkers and balls that go away, the last ones a few pixels high, all with legs",
        PixelFormat::kIndexed, draw_models_far},
@@ -44,7 +44,7 @@ std::span<const GoldenScene> golden_scenes() {
       {"lightning", "a row of bright blue pieces from the left to the right pillar, each turned its own way",
        PixelFormat::kRgb, draw_lightning},
       {"status_bar",
-       "pain: the hall is red; over it, untinted, a text and the bar: 75 armour, 42 health, 13 rockets; "
+       "pain: the hall is red; over it, untinted, a text and the bar: 75 armor, 42 health, 13 rockets; "
        "weapons "
        "2, 3 and 7, a suit",
        PixelFormat::kRgb, draw_status_bar},

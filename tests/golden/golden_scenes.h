@@ -15,7 +15,7 @@ struct GoldenScene {
   const char* name;
   const char* shows;  // what to look for
   render::PixelFormat format;
-  void (*draw)(render::FrameBuffer& io_frame);  // in the colours of artgen::make_palette()
+  void (*draw)(render::FrameBuffer& io_frame);  // in the colors of artgen::make_palette()
   Tolerance tolerance = {};
 };
 inline void PrintTo(const GoldenScene& scene, std::ostream* out) {

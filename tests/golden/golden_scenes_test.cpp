@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "artgen/palette.h"
-#include "formats/png.h"
+#include "formats/images/png.h"
 
 namespace temblor::test {
 namespace {

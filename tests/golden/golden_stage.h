@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "render/renderer.h"
-#include "support/drawable_level.h"
-#include "support/viewpoints.h"
+#include "support/levels/drawable_level.h"
+#include "support/pictures/viewpoints.h"
 
 namespace temblor::test {
 
 class GoldenStage {
  public:
-  explicit GoldenStage(DrawableLevel drawable = small_level({.coloured_light = true}))
+  explicit GoldenStage(DrawableLevel drawable = small_level({.colored_light = true}))
       : drawable_(std::move(drawable)),
         brush_models_(shown_brush_models(*drawable_.level)),
         renderer_(drawable_.palette, drawable_.colormap) {}

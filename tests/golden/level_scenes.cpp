@@ -1,10 +1,10 @@
 // Golden pictures of the level, and of what is done to its faces.
 #include "artgen/palette.h"
-#include "client/hit_marks.h"
-#include "client/view_tint.h"
+#include "client/effects/hit_marks.h"
+#include "client/view/view_tint.h"
 #include "golden/golden_scenes.h"
 #include "golden/golden_stage.h"
-#include "support/drawable_models.h"
+#include "support/models/drawable_models.h"
 
 namespace temblor::test {
 namespace {
@@ -12,9 +12,9 @@ namespace {
 constexpr render::Camera kPlayerStart = {.origin_world = {48, 256, 46}};
 constexpr render::Camera kAboveTheCourt = {.origin_world = {800, 32, 200}, .angles_deg = {20, 45, 0}};
 
-// A chequer of 8 squares a side in one colour, brighter towards the lower edge, which turns within the
+// A checker of 8 squares a side in one color, brighter towards the lower edge, which turns within the
 // picture: adjoining pictures agree at their edges only where they are put together right.
-formats::Image chequered(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
+formats::Image checkered(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
   constexpr std::uint32_t kSide = 64;
   formats::Image image{kSide, kSide, {}};
   for (std::uint32_t y = 0; y < kSide; ++y)
@@ -59,8 +59,8 @@ void draw_court(render::FrameBuffer& io_frame) {
 void draw_dynamic_lights(render::FrameBuffer& io_frame) {
   GoldenStage stage;
   const render::DynamicLight lights[] = {
-      {.origin_world = {120, 330, 20}, .radius = 140, .colour = {1.0f, 0.35f, 0.1f}},
-      {.origin_world = {370, 496, 100}, .radius = 160, .colour = {0.3f, 0.5f, 1.0f}}};
+      {.origin_world = {120, 330, 20}, .radius = 140, .color = {1.0f, 0.35f, 0.1f}},
+      {.origin_world = {370, 496, 100}, .radius = 160, .color = {0.3f, 0.5f, 1.0f}}};
   render::Scene scene = stage.scene({.origin_world = {40, 180, 90}, .angles_deg = {12, 42, 0}});
   scene.lights = lights;
   stage.draw(scene, io_frame);
@@ -107,8 +107,8 @@ void draw_fog(render::FrameBuffer& io_frame) {
 void draw_skybox(render::FrameBuffer& io_frame) {
   GoldenStage stage;
   render::Skybox box;
-  box.sides = {chequered(255, 80, 80), chequered(80, 255, 80),   chequered(80, 80, 255),
-               chequered(255, 255, 0), chequered(255, 255, 255), chequered(0, 255, 255)};
+  box.sides = {checkered(255, 80, 80), checkered(80, 255, 80),   checkered(80, 80, 255),
+               checkered(255, 255, 0), checkered(255, 255, 255), checkered(0, 255, 255)};
   render::Scene scene =
       stage.scene({.origin_world = {790, 20, 376}, .angles_deg = {-32, 45, 0}, .fov_deg = 110});
   scene.skybox = &box;

@@ -4,14 +4,14 @@
 #include <string_view>
 
 #include "artgen/palette.h"
-#include "client/effects.h"
-#include "client/hud.h"
-#include "client/powerups.h"
+#include "client/effects/effects.h"
+#include "client/hud/hud.h"
+#include "client/session/powerups.h"
 #include "golden/golden_scenes.h"
 #include "golden/golden_stage.h"
-#include "support/box_models.h"
-#include "support/drawable_models.h"
-#include "support/small_pictures.h"
+#include "support/models/box_models.h"
+#include "support/models/drawable_models.h"
+#include "support/pictures/small_pictures.h"
 
 namespace temblor::test {
 namespace {
@@ -47,8 +47,8 @@ formats::Spr letter_f(formats::SprOrientation orientation) {
     for (std::uint32_t x = 0; x < kSide; ++x) {
       const bool ink = kRows[y / kDot][x / kDot] == '#';
       const bool edge = std::min({x, y, kSide - 1 - x, kSide - 1 - y}) < 2;
-      picture.texels.push_back(ink    ? artgen::ramp_colour(artgen::Ramp::kFire, 0.6)
-                               : edge ? artgen::ramp_colour(artgen::Ramp::kElectric, 0.5)
+      picture.texels.push_back(ink    ? artgen::ramp_color(artgen::Ramp::kFire, 0.6)
+                               : edge ? artgen::ramp_color(artgen::Ramp::kElectric, 0.5)
                                       : artgen::kTransparent);
     }
   formats::Spr sprite;
@@ -103,7 +103,7 @@ void draw_models_near(render::FrameBuffer& io_frame) {
        .from_pose = stride,
        .to_pose = pass,
        .blend = 0.5f,
-       .colours = render::PlayerColours{4, 13}}};
+       .colors = render::PlayerColors{4, 13}}};
   render::Scene scene = stage.scene({.origin_world = {56, 260, 56}, .angles_deg = {6, 0, 0}});
   scene.alias_models = models;
   stage.draw(scene, io_frame, {.alias_raster = render::AliasRaster::kAffine});
@@ -135,7 +135,7 @@ void draw_weapon_wide(render::FrameBuffer& io_frame) {
   const render::AliasInstance held = {.model = weapon.get(),
                                       .origin_world = camera.origin_world,
                                       .angles_deg = {-4, 160, 0},
-                                      .least_light = 24};
+                                      .min_light = 24};
   render::Scene scene = stage.scene(camera);
   scene.view_weapon = &held;
   stage.draw(scene, io_frame);

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "formats/dem.h"
+#include "formats/game/dem.h"
 #include "host/played_host.h"
-#include "support/made_recording.h"
-#include "support/quakec.h"
+#include "support/generated_demo.h"
+#include "support/programs/quakec.h"
 
 namespace temblor::test {
 namespace {

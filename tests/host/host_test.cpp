@@ -6,18 +6,18 @@
 
 #include <set>
 
-#include "formats/png.h"
-#include "host/host_commands.h"
+#include "formats/images/png.h"
+#include "host/commands/host_commands.h"
 #include "host/played_host.h"
 #include "support/game_data.h"
-#include "support/quakec.h"
+#include "support/programs/quakec.h"
 
 namespace temblor::test {
 namespace {
 
 using platform::Key;
 
-std::size_t colours_of(const std::vector<std::uint32_t>& picture) {
+std::size_t colors_of(const std::vector<std::uint32_t>& picture) {
   return std::set<std::uint32_t>(picture.begin(), picture.end()).size();
 }
 
@@ -26,7 +26,7 @@ TEST(Host, PlaysALevelFromItsCommand) {
   PlayedHost played({"map small"});
   ASSERT_TRUE(played.run_until_playing());
   played.run(0.5);
-  EXPECT_GT(colours_of(played.window().shown()), 20u);
+  EXPECT_GT(colors_of(played.window().shown()), 20u);
   EXPECT_TRUE(played.window().is_mouse_captured());
   EXPECT_EQ(played.window().shown_size(), (platform::PixelSize{320, 200}));
 }
@@ -252,7 +252,7 @@ TEST(Host, WindowsOfAnySizeAreDrawn) {
   }
 }
 
-TEST(Host, PaletteAndTrueColourShowTheSameScene) {
+TEST(Host, PaletteAndTrueColorShowTheSameScene) {
   SKIP_WITHOUT_QUAKEC();
   PlayedHost played({"viewsize 120; con_notifylines 0", "map small"});
   ASSERT_TRUE(played.run_until_playing());

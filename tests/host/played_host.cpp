@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <fstream>
 
-#include "served/served_game.h"
-#include "support/drawable_models.h"
-#include "support/quakec.h"
+#include "client_server/served_game.h"
+#include "support/models/drawable_models.h"
+#include "support/programs/quakec.h"
 
 namespace temblor::test {
 namespace {

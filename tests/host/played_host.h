@@ -11,7 +11,7 @@
 #include "host/host.h"
 #include "host/host_variables.h"
 #include "platform/headless/window.h"
-#include "support/small_game.h"
+#include "support/programs/small_game.h"
 
 namespace temblor::test {
 

@@ -1,4 +1,4 @@
-#include "host/render_settings.h"
+#include "host/video/render_settings.h"
 
 #include <gtest/gtest.h>
 
@@ -48,8 +48,8 @@ TEST(RenderSettings, EveryFieldHasAVariable) {
   set("r_fill_depth=0");
   expected.fill_depth = false;
   EXPECT_EQ(settings.read(variables), expected);
-  set("r_coloured_light=0");
-  expected.coloured_light = false;
+  set("r_colored_light=0");
+  expected.colored_light = false;
   EXPECT_EQ(settings.read(variables), expected);
   set("r_band_rows=17");
   expected.band_rows = 17;

@@ -1,12 +1,12 @@
 // The end of a frame: tone, render scale, frame rate.
-#include "host/screen.h"
+#include "host/video/screen.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <cmath>
 
-#include "host/worker.h"
+#include "host/session/worker.h"
 #include "platform/headless/window.h"
 
 namespace temblor::host {

@@ -1,10 +1,10 @@
 // Which settings hold, and which are kept: the player's, the command line's, those of another game.
 #include <gtest/gtest.h>
 
-#include "host/configuration.h"
+#include "host/commands/configuration.h"
 #include "host/played_host.h"
 #include "support/game_data.h"
-#include "support/quakec.h"
+#include "support/programs/quakec.h"
 
 namespace temblor::test {
 namespace {

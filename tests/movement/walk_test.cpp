@@ -8,8 +8,8 @@
 
 #include "compiler/drafts.h"
 #include "movement/settings.h"
+#include "support/levels/room_map.h"
 #include "support/random.h"
-#include "support/room_map.h"
 
 namespace temblor::movement {
 namespace {

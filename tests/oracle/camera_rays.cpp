@@ -23,8 +23,8 @@ CameraRays::CameraRays(const render::Camera& camera, int width, int height)
     : projection_(camera.projection),
       origin_(camera.origin_world),
       basis_(math::basis_from_angles(camera.angles_deg)),
-      centre_x_px_(width / 2.0 - 0.5),
-      centre_y_px_(height / 2.0 - 0.5) {
+      center_x_px_(width / 2.0 - 0.5),
+      center_y_px_(height / 2.0 - 0.5) {
   if (projection_ == render::Projection::kPerspective) {
     slope_per_pixel_ = 1.0 / focal_length_px(camera.fov_deg, width, height);
   } else {
@@ -34,8 +34,8 @@ CameraRays::CameraRays(const render::Camera& camera, int width, int height)
 }
 
 Ray CameraRays::ray(double x_px, double y_px) const {
-  const math::Vec3d aside = basis_.right * ((x_px - centre_x_px_) * slope_per_pixel_) -
-                            basis_.up * ((y_px - centre_y_px_) * slope_per_pixel_);
+  const math::Vec3d aside = basis_.right * ((x_px - center_x_px_) * slope_per_pixel_) -
+                            basis_.up * ((y_px - center_y_px_) * slope_per_pixel_);
   if (projection_ == render::Projection::kPerspective) return {origin_, basis_.forward + aside};
   return {origin_ + aside, basis_.forward};
 }

@@ -16,7 +16,7 @@ struct Ray {
   math::Vec3d at(double distance) const { return origin + direction * distance; }
 };
 
-// Pixel centres lie at integer coordinates, the centre of projection at (width / 2 - 0.5, height / 2 - 0.5).
+// Pixel centers lie at integer coordinates, the center of projection at (width / 2 - 0.5, height / 2 - 0.5).
 class CameraRays {
  public:
   // An orthographic camera must say its units_per_pixel: what "the level fits" means is the renderer's
@@ -30,7 +30,7 @@ class CameraRays {
   render::Projection projection_;
   math::Vec3d origin_;
   math::Basis basis_;
-  double centre_x_px_, centre_y_px_;
+  double center_x_px_, center_y_px_;
   double slope_per_pixel_;  // perspective: 1 / focal length; orthographic: units per pixel
 };
 

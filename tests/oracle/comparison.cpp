@@ -27,10 +27,10 @@ world::LeafIndex leaf_in_front(const world::Level& level, const Ray& ray, double
 std::string Tally::summary() const {
   std::string text = fmt::format(
       "{} pixels ({} of brush models): face {:.4f} % (tied {}, within a pixel of an edge {}, wrong {}); "
-      "colour {:.4f} % of {}; "
+      "color {:.4f} % of {}; "
       "depth {:.4f} % of {}",
-      pixels, on_brush_models, face_agreement() * 100, tied, near_edge, wrong_face, colour_agreement() * 100,
-      colours, depth_agreement() * 100, depths);
+      pixels, on_brush_models, face_agreement() * 100, tied, near_edge, wrong_face, color_agreement() * 100,
+      colors, depth_agreement() * 100, depths);
   for (const std::string& finding : findings) text += "\n  " + finding;
   return text;
 }
@@ -42,31 +42,31 @@ void Tally::add(const Tally& other) {
   near_edge += other.near_edge;
   wrong_face += other.wrong_face;
   on_brush_models += other.on_brush_models;
-  colours += other.colours;
-  right_colours += other.right_colours;
+  colors += other.colors;
+  right_colors += other.right_colors;
   depths += other.depths;
   right_depths += other.right_depths;
   for (const std::string& finding : other.findings)
-    if (findings.size() < Tally::kMostFindings) findings.push_back(finding);
+    if (findings.size() < Tally::kMaxFindings) findings.push_back(finding);
 }
 
-VisibleSet::VisibleSet(const world::Level& level) : leafs_(level.leafs.size(), true) {
-  show_faces_of_leafs(level);
+VisibleSet::VisibleSet(const world::Level& level) : leaves_(level.leaves.size(), true) {
+  show_faces_of_leaves(level);
 }
 
 VisibleSet::VisibleSet(const world::Level& level, const math::Vec3& eye_world) {
   std::vector<std::uint8_t> row;
   world::decompress_pvs(level, world::find_leaf(level, eye_world), row);
-  for (std::size_t i = 0; i < level.leafs.size(); ++i)
-    leafs_.push_back(world::pvs_has(row, base::to_index<world::LeafIndex>(i)));
-  show_faces_of_leafs(level);
+  for (std::size_t i = 0; i < level.leaves.size(); ++i)
+    leaves_.push_back(world::pvs_has(row, base::to_index<world::LeafIndex>(i)));
+  show_faces_of_leaves(level);
 }
 
-void VisibleSet::show_faces_of_leafs(const world::Level& level) {
+void VisibleSet::show_faces_of_leaves(const world::Level& level) {
   faces_.resize(level.faces.size());
-  for (std::size_t i = 0; i < level.leafs.size(); ++i) {
-    const world::Leaf& leaf = level.leafs[i];
-    for (std::uint32_t mark = 0; leafs_[i] && mark < leaf.marked_face_count; ++mark)
+  for (std::size_t i = 0; i < level.leaves.size(); ++i) {
+    const world::Leaf& leaf = level.leaves[i];
+    for (std::uint32_t mark = 0; leaves_[i] && mark < leaf.marked_face_count; ++mark)
       faces_[base::to_size(level.marked_faces[leaf.first_marked_face + mark])] = true;
   }
 }
@@ -136,14 +136,14 @@ void Comparison::pixel(int x, int y, Tally& io_tally) const {
     const std::optional<Hit> seen = covering(x, y, *hit);
     if (!seen) return;
     judge_depth(x, y, *seen, io_tally);
-    judge_colour(x, y, *seen, io_tally);
+    judge_color(x, y, *seen, io_tally);
   } else if (is_tied(ray, hit, drawn)) {
     ++io_tally.tied;
   } else if (seen_within_a_pixel(x, y, drawn)) {
     ++io_tally.near_edge;
   } else {
     ++io_tally.wrong_face;
-    if (io_tally.findings.size() < Tally::kMostFindings)
+    if (io_tally.findings.size() < Tally::kMaxFindings)
       io_tally.findings.push_back(describe(x, y, hit, drawn));
   }
 }

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "formats/palette.h"
+#include "formats/images/palette.h"
 #include "oracle/camera_rays.h"
-#include "oracle/face_colour.h"
+#include "oracle/face_color.h"
 #include "oracle/ray_scene.h"
 #include "render/frame.h"
 #include "render/renderer.h"
@@ -24,16 +24,16 @@ struct Tally {
   std::uint64_t near_edge = 0;  // the oracle sees the renderer's face within one pixel from here
   std::uint64_t wrong_face = 0;
   std::uint64_t on_brush_models = 0;  // where the oracle sees one
-  // The colour, where the faces agree and the definition says what it must be.
-  std::uint64_t colours = 0, right_colours = 0;
+  // The color, where the faces agree and the definition says what it must be.
+  std::uint64_t colors = 0, right_colors = 0;
   // 1/z, where the faces agree.
   std::uint64_t depths = 0, right_depths = 0;
   // The first few pixels that went wrong, one line each for a person.
-  static constexpr std::size_t kMostFindings = 12;
+  static constexpr std::size_t kMaxFindings = 12;
   std::vector<std::string> findings;
 
   double face_agreement() const { return share(same_face + tied, pixels); }
-  double colour_agreement() const { return share(right_colours, colours); }
+  double color_agreement() const { return share(right_colors, colors); }
   double depth_agreement() const { return share(right_depths, depths); }
   std::string summary() const;
   void add(const Tally& other);
@@ -44,22 +44,22 @@ struct Tally {
   }
 };
 
-// The part of the world that may be drawn: the faces that its leafs show (compilers leave some that none
+// The part of the world that may be drawn: the faces that its leaves show (compilers leave some that none
 // does, where liquid meets solid).
 class VisibleSet {
  public:
-  // All leafs: the PVS is off.
+  // All leaves: the PVS is off.
   explicit VisibleSet(const world::Level& level);
   // Those that the eye's leaf may see: all that a renderer that trusts the PVS has to draw.
   VisibleSet(const world::Level& level, const math::Vec3& eye_world);
 
   bool has_face(world::FaceIndex face) const { return faces_[base::to_size(face)]; }
-  bool has_leaf(world::LeafIndex leaf) const { return leafs_[base::to_size(leaf)]; }
+  bool has_leaf(world::LeafIndex leaf) const { return leaves_[base::to_size(leaf)]; }
 
  private:
-  void show_faces_of_leafs(const world::Level& level);
+  void show_faces_of_leaves(const world::Level& level);
 
-  std::vector<bool> leafs_, faces_;
+  std::vector<bool> leaves_, faces_;
 };
 
 // One frame and all that its pixels depend on. What it is given must outlive it. The frame was drawn with
@@ -93,14 +93,14 @@ class Comparison {
   bool is_tied(const Ray& ray, const std::optional<Hit>& hit, const render::PixelFace& drawn) const;
   bool seen_within_a_pixel(int x, int y, const render::PixelFace& drawn) const;
   void judge_depth(int x, int y, const Hit& hit, Tally& io_tally) const;
-  void judge_colour(int x, int y, const Hit& hit, Tally& io_tally) const;
-  std::optional<bool> is_right_colour(int x, int y, const Hit& hit) const;
-  bool is_colour_of(std::size_t position, const Hit& hit, TexelPosition texel) const;
+  void judge_color(int x, int y, const Hit& hit, Tally& io_tally) const;
+  std::optional<bool> is_right_color(int x, int y, const Hit& hit) const;
+  bool is_color_of(std::size_t position, const Hit& hit, TexelPosition texel) const;
   bool is_in_texture(std::size_t position, const Hit& hit) const;
   math::Vec2d texture_position_at(double x_px, double y_px, const Hit& hit) const;
   world::TextureIndex texture_of(const Hit& hit) const;
   std::string describe(int x, int y, const std::optional<Hit>& hit, const render::PixelFace& drawn) const;
-  std::string describe_colour(int x, int y, const Hit& hit) const;
+  std::string describe_color(int x, int y, const Hit& hit) const;
 
   std::size_t position_of(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(drawn_.frame.width()) +

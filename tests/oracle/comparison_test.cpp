@@ -77,8 +77,8 @@ TEST_F(SpoiledPicture, IsRightBeforeItIsSpoiled) {
   const Tally tally = compare();
   EXPECT_EQ(tally.pixels, static_cast<std::uint64_t>(kWidth * kHeight));
   EXPECT_EQ(tally.same_face, tally.pixels) << tally.summary();
-  EXPECT_GT(tally.colours, 500u);
-  EXPECT_EQ(tally.right_colours, tally.colours) << tally.summary();
+  EXPECT_GT(tally.colors, 500u);
+  EXPECT_EQ(tally.right_colors, tally.colors) << tally.summary();
   EXPECT_EQ(tally.right_depths, tally.depths) << tally.summary();
 }
 
@@ -111,11 +111,11 @@ TEST_F(SpoiledPicture, ShiftedByThreePixels) {
   EXPECT_GT(compare().wrong_face, 30u);
 }
 
-TEST_F(SpoiledPicture, WithColoursOfTheNextTexel) {
+TEST_F(SpoiledPicture, WithColorsOfTheNextTexel) {
   level_.texture_axes[0].s_offset += 1;
   const Tally tally = compare();
   EXPECT_EQ(tally.same_face, tally.pixels);
-  EXPECT_LT(tally.colour_agreement(), 0.1) << tally.summary();
+  EXPECT_LT(tally.color_agreement(), 0.1) << tally.summary();
 }
 
 TEST_F(SpoiledPicture, WithDepthsOfTheNextPixel) {
@@ -126,8 +126,8 @@ TEST_F(SpoiledPicture, WithDepthsOfTheNextPixel) {
 }
 
 // Compilers leave faces that no leaf shows; they are not there.
-TEST_F(SpoiledPicture, WithAFaceThatNoLeafShows) {
-  level_.leafs[1].marked_face_count = 1;
+TEST_F(SpoiledPicture, WithAFaceThatNoLeaveshows) {
+  level_.leaves[1].marked_face_count = 1;
   EXPECT_GT(compare().wrong_face, 50u);
 }
 

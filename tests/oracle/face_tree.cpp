@@ -78,7 +78,7 @@ FaceTree::Box FaceTree::bounds_of(const Polygon& polygon) const {
   return box;
 }
 
-// Halves the polygons at the median of their boxes' centres along the longest side: the tree's depth is the
+// Halves the polygons at the median of their boxes' centers along the longest side: the tree's depth is the
 // logarithm of their number.
 std::uint32_t FaceTree::build(std::uint32_t first, std::uint32_t count) {
   const auto index = static_cast<std::uint32_t>(nodes_.size());
@@ -93,12 +93,12 @@ std::uint32_t FaceTree::build(std::uint32_t first, std::uint32_t count) {
   if (count > kPolygonsPerLeaf) {
     const int axis = largest_axis(box.maxs - box.mins);
     const auto begin = polygons_.begin() + first;
-    const auto centre = [&](const Polygon& polygon) {
+    const auto center = [&](const Polygon& polygon) {
       const Box part = bounds_of(polygon);
       return part.mins[axis] + part.maxs[axis];
     };
     std::nth_element(begin, begin + count / 2, begin + count,
-                     [&](const Polygon& a, const Polygon& b) { return centre(a) < centre(b); });
+                     [&](const Polygon& a, const Polygon& b) { return center(a) < center(b); });
     node.count = 0;
     node.children[0] = build(first, count / 2);
     node.children[1] = build(first + count / 2, count - count / 2);

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <vector>
 
-#include "support/viewpoints.h"
+#include "support/pictures/viewpoints.h"
 
 namespace temblor::oracle {
 namespace {
@@ -60,7 +60,7 @@ Tally judge_pictures(const test::DrawableLevel& drawable, const Pictures& pictur
 void expect_right(const Tally& tally) {
   EXPECT_GE(tally.face_agreement(), 0.999);
   EXPECT_EQ(tally.wrong_face, 0u);
-  EXPECT_GE(tally.colour_agreement(), 0.995);
+  EXPECT_GE(tally.color_agreement(), 0.995);
   EXPECT_GE(tally.depth_agreement(), 0.995);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "oracle/comparison.h"
-#include "support/drawable_level.h"
+#include "support/levels/drawable_level.h"
 
 namespace temblor::oracle {
 
@@ -18,7 +18,7 @@ struct Pictures {
 Tally judge_pictures(const test::DrawableLevel& drawable, const Pictures& pictures);
 
 // What every level must reach (the figures are the project's own): face >= 99.9 %, none wrong away from
-// edges, colour and depth >= 99.5 %.
+// edges, color and depth >= 99.5 %.
 void expect_right(const Tally& tally);
 
 }  // namespace temblor::oracle

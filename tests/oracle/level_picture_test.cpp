@@ -1,4 +1,4 @@
-// The renderer's pictures against the oracle: the face seen, its depth and its colour.
+// The renderer's pictures against the oracle: the face seen, its depth and its color.
 #include <gtest/gtest.h>
 
 #include <string>

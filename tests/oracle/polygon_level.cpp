@@ -63,7 +63,7 @@ world::Level make_polygon_level(std::span<const PolygonModel> models) {
     world::Leaf leaf{};
     leaf.contents = contents;
     leaf.visibility_offset = -1;
-    level.leafs.push_back(leaf);
+    level.leaves.push_back(leaf);
   }
   level.visible_leaf_count = 1;
   for (const PolygonModel& polygons : models) {
@@ -76,7 +76,7 @@ world::Level make_polygon_level(std::span<const PolygonModel> models) {
   }
   for (std::uint32_t face = 0; face < level.world().face_count; ++face)
     level.marked_faces.push_back(world::FaceIndex{face});
-  level.leafs[1].marked_face_count = level.world().face_count;
+  level.leaves[1].marked_face_count = level.world().face_count;
   return level;
 }
 

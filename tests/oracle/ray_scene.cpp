@@ -23,9 +23,9 @@ Placement placement_of(const render::BrushModelInstance& instance) {
 PreparedLevel::PreparedLevel(const world::Level& level) : level_(&level) {
   trees_.reserve(level.models.size());
   for (const world::Model& model : level.models) trees_.emplace_back(level, model);
-  colours_.resize(level.textures.size());
+  colors_.resize(level.textures.size());
   for (std::size_t i = 0; i < level.textures.size(); ++i)
-    for (const std::uint8_t texel : level.textures[i].mips[0]) colours_[i].set(texel);
+    for (const std::uint8_t texel : level.textures[i].mips[0]) colors_[i].set(texel);
 }
 
 RayScene::RayScene(const PreparedLevel& level, std::span<const render::BrushModelInstance> brush_models)

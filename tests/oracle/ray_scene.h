@@ -37,14 +37,14 @@ class PreparedLevel {
   const world::Level& level() const { return *level_; }
   const FaceTree& faces_of(world::ModelIndex model) const { return trees_[base::to_size(model)]; }
   // Which palette indices occur in a texture.
-  const std::bitset<256>& colours_of(world::TextureIndex texture) const {
-    return colours_[base::to_size(texture)];
+  const std::bitset<256>& colors_of(world::TextureIndex texture) const {
+    return colors_[base::to_size(texture)];
   }
 
  private:
   const world::Level* level_;
   std::vector<FaceTree> trees_;
-  std::vector<std::bitset<256>> colours_;
+  std::vector<std::bitset<256>> colors_;
 };
 
 class RayScene {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "oracle/ray_scene.h"
-#include "support/drawable_level.h"
 #include "support/effort.h"
 #include "support/game_data.h"
-#include "support/viewpoints.h"
+#include "support/levels/drawable_level.h"
+#include "support/pictures/viewpoints.h"
 #include "world/visibility.h"
 
 namespace temblor::oracle {

@@ -12,7 +12,7 @@
 
 #include "platform/sdl2/audio.h"
 #include "support/game_data.h"
-#include "support/temporary_folder.h"
+#include "support/programs/temporary_folder.h"
 
 namespace temblor::test {
 namespace {

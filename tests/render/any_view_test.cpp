@@ -9,20 +9,20 @@
 #include <vector>
 
 #include "render/renderer.h"
-#include "support/drawable_level.h"
 #include "support/effort.h"
-#include "support/frames.h"
 #include "support/game_data.h"
-#include "support/viewpoints.h"
+#include "support/levels/drawable_level.h"
+#include "support/pictures/frames.h"
+#include "support/pictures/viewpoints.h"
 
 namespace temblor::test {
 namespace {
 
 constexpr int kShards = effort(10, 1);  // tests run in parallel
 constexpr int kViewsPerShard = effort(1000, 150);
-constexpr double kLargestSide = effort(8192, 512);
+constexpr double kMaxSide = effort(8192, 512);
 // Faces and writes of a pixel take nine bytes: only pictures up to this size are asked for them.
-constexpr std::size_t kMostPixelsCounted = std::size_t{1} << 21;
+constexpr std::size_t kMaxPixelsCounted = std::size_t{1} << 21;
 
 math::Vec3 random_point_in(const math::Bounds& bounds, Random& io_random) {
   math::Vec3 point;
@@ -96,7 +96,7 @@ render::Settings any_settings(Random& io_random) {
           .surface_cache = io_random.chance(0.9),
           .cache_bytes = kCacheBytes[io_random.below(3)],
           .use_pvs = io_random.chance(0.7),
-          .coloured_light = io_random.chance(0.7),
+          .colored_light = io_random.chance(0.7),
           .band_rows = kBandRows[io_random.below(5)]};
 }
 
@@ -143,8 +143,8 @@ TEST_P(AnyView, DrawsEveryPixelOnce) {
       renderer.emplace(levels[choice].palette, levels[choice].colormap);
     const world::Level& level = *levels[choice].level;
     const Viewpoint viewpoint = any_viewpoint(level, random);
-    const int width = static_cast<int>(random.log_uniform(1, kLargestSide + 1));
-    const int height = static_cast<int>(random.log_uniform(1, kLargestSide + 1));
+    const int width = static_cast<int>(random.log_uniform(1, kMaxSide + 1));
+    const int height = static_cast<int>(random.log_uniform(1, kMaxSide + 1));
     const bool indexed = random.chance(0.5);
     const render::Settings settings = any_settings(random);
     SCOPED_TRACE(describe(levels[choice], viewpoint.camera, width, height) + fmt::format(" seed {}", seed));
@@ -159,7 +159,7 @@ TEST_P(AnyView, DrawsEveryPixelOnce) {
     renderer->render(scene, settings, frame);
     ASSERT_EQ(hash_of(frame), first) << "a pixel was left unwritten";
     ASSERT_TRUE(has_no_nan(frame.depth()));
-    if (frame.pixel_count() <= kMostPixelsCounted) {
+    if (frame.pixel_count() <= kMaxPixelsCounted) {
       ASSERT_TRUE(every_pixel_written_once(*renderer, frame.pixel_count()));
     }
   }

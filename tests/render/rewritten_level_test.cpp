@@ -1,4 +1,4 @@
-// A level draws the same pixels in whatever it comes: BSP 29, 2PSB, BSP2; coloured light beside it or in it;
+// A level draws the same pixels in whatever it comes: BSP 29, 2PSB, BSP2; colored light beside it or in it;
 // loose, in a PAK, in a PK3.
 #include <gtest/gtest.h>
 
@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "assets/assets.h"
-#include "formats/pak.h"
-#include "formats/pk3.h"
+#include "formats/archives/pak.h"
+#include "formats/archives/pk3.h"
 #include "render/renderer.h"
-#include "support/drawable_level.h"
 #include "support/effort.h"
-#include "support/frames.h"
 #include "support/game_data.h"
-#include "support/temporary_folder.h"
-#include "support/viewpoints.h"
+#include "support/levels/drawable_level.h"
+#include "support/pictures/frames.h"
+#include "support/pictures/viewpoints.h"
+#include "support/programs/temporary_folder.h"
 
 namespace temblor::test {
 namespace {
@@ -34,11 +34,11 @@ struct LevelFiles {
 
 LevelFiles small_files() {
   const DrawableLevel drawable = small_level();
-  LevelFiles files{artgen::make_small_level({.coloured_light = true}), std::nullopt, drawable.palette,
+  LevelFiles files{artgen::make_small_level({.colored_light = true}), std::nullopt, drawable.palette,
                    drawable.colormap};
-  const formats::BspxLump* colours = files.bsp.find_bspx("RGBLIGHTING");
-  CHECK(colours != nullptr);
-  const auto samples = base::as_u8(colours->data);
+  const formats::BspxLump* colors = files.bsp.find_bspx("RGBLIGHTING");
+  CHECK(colors != nullptr);
+  const auto samples = base::as_u8(colors->data);
   files.lit = formats::Lit{{samples.begin(), samples.end()}};
   files.bsp.bspx.clear();
   return files;
@@ -141,11 +141,11 @@ INSTANTIATE_TEST_SUITE_P(Levels, RewrittenStockLevel, testing::Values("start", "
                          [](const auto& test) { return std::string(test.param); });
 
 // What would make the tests above pass without looking: a picture that light does not change.
-TEST(RewrittenLevel, WithoutItsColouredLightDrawsOthers) {
+TEST(RewrittenLevel, WithoutItsColoredLightDrawsOthers) {
   LevelFiles files = small_files();
-  const std::vector<FrameCopy> coloured = pictures_of(files, *as_it_is(files));
+  const std::vector<FrameCopy> colored = pictures_of(files, *as_it_is(files));
   files.lit.reset();
-  EXPECT_FALSE(pictures_of(files, *as_it_is(files)) == coloured);
+  EXPECT_FALSE(pictures_of(files, *as_it_is(files)) == colored);
 }
 
 }  // namespace

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "render/renderer.h"
-#include "support/drawable_level.h"
 #include "support/effort.h"
-#include "support/frames.h"
 #include "support/game_data.h"
-#include "support/viewpoints.h"
+#include "support/levels/drawable_level.h"
+#include "support/pictures/frames.h"
+#include "support/pictures/viewpoints.h"
 
 namespace temblor::test {
 namespace {
@@ -179,11 +179,11 @@ TEST(SamePicture, AfterALightStyleChanged) {
 }
 
 TEST(SamePicture, AfterTheSettingsOfAnother) {
-  const DrawableLevel drawable = small_level({.coloured_light = true});
+  const DrawableLevel drawable = small_level({.colored_light = true});
   const Viewpoint viewpoint = viewpoint_number(*drawable.level, 0);
   const render::Scene scene = viewpoint.scene(*drawable.level);
   const render::Settings others[] = {
-      {.mip_rule = render::MipRule::kStock}, {.force_mip = 2}, {.coloured_light = false}, {.use_pvs = false}};
+      {.mip_rule = render::MipRule::kStock}, {.force_mip = 2}, {.colored_light = false}, {.use_pvs = false}};
   for (const render::PixelFormat format : kBothFormats) {
     render::Renderer renderer(drawable.palette, drawable.colormap);
     const FrameCopy expected = draw_cold(drawable, scene, {}, format);
@@ -215,7 +215,7 @@ TEST(SamePicture, AfterALevelThatIsGone) {
   const DrawableLevel first_look = small_level();
   render::Renderer renderer(first_look.palette, first_look.colormap);
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    const DrawableLevel drawable = small_level({.coloured_light = seed % 2 == 0, .seed = seed});
+    const DrawableLevel drawable = small_level({.colored_light = seed % 2 == 0, .seed = seed});
     const Viewpoint viewpoint = viewpoint_number(*drawable.level, 0);
     const render::Scene scene = viewpoint.scene(*drawable.level);
     const FrameCopy expected = draw_cold(drawable, scene, {}, render::PixelFormat::kRgb);

@@ -6,11 +6,11 @@
 #include "math/angles.h"
 #include "render/renderer.h"
 #include "support/allocation_counter.h"
-#include "support/drawable_level.h"
-#include "support/drawable_models.h"
 #include "support/game_data.h"
-#include "support/late_faces.h"
-#include "support/viewpoints.h"
+#include "support/levels/drawable_level.h"
+#include "support/models/drawable_models.h"
+#include "support/pictures/deferred_faces.h"
+#include "support/pictures/viewpoints.h"
 
 namespace temblor::test {
 namespace {
@@ -84,10 +84,10 @@ TEST(WarmFrame, WithSpritesAndParticlesAllocatesNothing) {
     z.push_back(place.z);
     sprites.push_back({.sprite = &spr, .picture = &spr.frames[0].pictures[0], .origin_world = place});
   }
-  const std::vector<std::uint8_t> colours(x.size(), 7);
+  const std::vector<std::uint8_t> colors(x.size(), 7);
   expect_no_allocation(small_level(), {}, [&](render::Scene& scene) {
     scene.sprites = sprites;
-    scene.particles = {x, y, z, colours};
+    scene.particles = {x, y, z, colors};
   });
 }
 

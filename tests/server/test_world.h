@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "server/move_trace.h"
-#include "server/physics.h"
-#include "support/room_map.h"
+#include "server/physics/physics.h"
+#include "support/levels/room_map.h"
 
 namespace temblor::server {
 

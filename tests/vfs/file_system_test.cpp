@@ -5,9 +5,9 @@
 
 #include <fstream>
 
-#include "formats/pak.h"
+#include "formats/archives/pak.h"
 #include "support/game_data.h"
-#include "support/temporary_folder.h"
+#include "support/programs/temporary_folder.h"
 
 namespace temblor::vfs {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "support/progs_builder.h"
+#include "support/programs/progs_builder.h"
 #include "vm/machine.h"
 
 namespace temblor::vm {

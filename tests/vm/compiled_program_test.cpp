@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "support/quakec.h"
+#include "support/programs/quakec.h"
 #include "vm/machine.h"
 
 namespace temblor::vm {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/progs_builder.h"
+#include "support/programs/progs_builder.h"
 
 namespace temblor::vm {
 namespace {

@@ -1,5 +1,5 @@
 // Each operation by itself, its operands put where it looks for them.
-#include "vm/opcodes.h"
+#include "vm/code/opcodes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "support/progs_builder.h"
+#include "support/programs/progs_builder.h"
 #include "support/random.h"
 #include "vm/machine.h"
 

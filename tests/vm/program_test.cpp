@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/progs_builder.h"
+#include "support/programs/progs_builder.h"
 #include "vm/disassembly.h"
 
 namespace temblor::vm {

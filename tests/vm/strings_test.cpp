@@ -1,4 +1,4 @@
-#include "vm/strings.h"
+#include "vm/code/strings.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/progs_builder.h"
+#include "support/programs/progs_builder.h"
 #include "support/random.h"
 #include "vm/machine.h"
 

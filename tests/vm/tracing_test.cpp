@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "support/effort.h"
-#include "support/progs_builder.h"
+#include "support/programs/progs_builder.h"
 #include "support/random.h"
 #include "vm/machine.h"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/text.h"
-#include "support/bsp_faces.h"
 #include "support/game_data.h"
+#include "support/levels/bsp_faces.h"
 #include "world/level.h"
 #include "world/test_levels.h"
 

@@ -11,13 +11,13 @@
 namespace temblor::world {
 namespace {
 
-// Two levels that differ in every list, the second one coloured if asked.
+// Two levels that differ in every list, the second one colored if asked.
 struct Joined {
   TestLevel base, other;
   JoinedLevel joined;
-  explicit Joined(bool base_coloured, bool other_coloured)
-      : base(small_test_level({.coloured_light = base_coloured})),
-        other(small_test_level({.coloured_light = other_coloured})) {
+  explicit Joined(bool base_colored, bool other_colored)
+      : base(small_test_level({.colored_light = base_colored})),
+        other(small_test_level({.colored_light = other_colored})) {
     const std::shared_ptr<const Level> others[] = {other.level, base.level, other.level};
     joined = join_levels(base.level, others);
   }
@@ -76,8 +76,8 @@ void expect_same_model(const Level& from, ModelIndex a, const Level& to, ModelIn
 }
 
 TEST(JoinLevels, EveryModelIsAsItWas) {
-  for (const auto& [base_coloured, other_coloured] : {std::pair(false, false), std::pair(true, true)}) {
-    const Joined levels(base_coloured, other_coloured);
+  for (const auto& [base_colored, other_colored] : {std::pair(false, false), std::pair(true, true)}) {
+    const Joined levels(base_colored, other_colored);
     const Level& joined = *levels.joined.level;
     const Level* sources[] = {levels.other.level.get(), levels.base.level.get(), levels.other.level.get()};
     for (std::uint32_t i = 0; i < levels.base.level->models.size(); ++i)
@@ -90,24 +90,24 @@ TEST(JoinLevels, EveryModelIsAsItWas) {
   }
 }
 
-TEST(JoinLevels, LightIsKeptAndGreyLightIsColouredGreyWhereOthersHaveColour) {
-  for (const bool base_coloured : {false, true}) {
-    const Joined levels(base_coloured, !base_coloured);
+TEST(JoinLevels, LightIsKeptAndGrayLightIsColoredGrayWhereOthersHaveColor) {
+  for (const bool base_colored : {false, true}) {
+    const Joined levels(base_colored, !base_colored);
     const Level& joined = *levels.joined.level;
     ASSERT_EQ(joined.light_rgb.size(), joined.light.size() * 3);
-    const Level& grey = base_coloured ? *levels.other.level : *levels.base.level;
-    const Level& coloured = base_coloured ? *levels.base.level : *levels.other.level;
-    const std::size_t grey_faces =
-        base_coloured ? joined.models[base::to_size(levels.joined.models[0])].first_face : 0;
-    const std::size_t coloured_faces =
-        base_coloured ? 0 : joined.models[base::to_size(levels.joined.models[0])].first_face;
-    for (std::size_t i = 0; i < coloured.faces.size(); ++i)
-      EXPECT_EQ(light_of(coloured, coloured.faces[i]), light_of(joined, joined.faces[coloured_faces + i]));
-    for (std::size_t i = 0; i < grey.faces.size(); ++i) {
-      const std::vector<int> as_grey = light_of(grey, grey.faces[i]);
-      const std::vector<int> as_rgb = light_of(joined, joined.faces[grey_faces + i]);
-      ASSERT_EQ(as_rgb.size(), as_grey.size() * 4);
-      for (std::size_t k = 0; k < as_rgb.size(); ++k) EXPECT_EQ(as_rgb[k], as_grey[k / 4]);
+    const Level& gray = base_colored ? *levels.other.level : *levels.base.level;
+    const Level& colored = base_colored ? *levels.base.level : *levels.other.level;
+    const std::size_t gray_faces =
+        base_colored ? joined.models[base::to_size(levels.joined.models[0])].first_face : 0;
+    const std::size_t colored_faces =
+        base_colored ? 0 : joined.models[base::to_size(levels.joined.models[0])].first_face;
+    for (std::size_t i = 0; i < colored.faces.size(); ++i)
+      EXPECT_EQ(light_of(colored, colored.faces[i]), light_of(joined, joined.faces[colored_faces + i]));
+    for (std::size_t i = 0; i < gray.faces.size(); ++i) {
+      const std::vector<int> as_gray = light_of(gray, gray.faces[i]);
+      const std::vector<int> as_rgb = light_of(joined, joined.faces[gray_faces + i]);
+      ASSERT_EQ(as_rgb.size(), as_gray.size() * 4);
+      for (std::size_t k = 0; k < as_rgb.size(); ++k) EXPECT_EQ(as_rgb[k], as_gray[k / 4]);
     }
   }
 }

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "formats/lit.h"
+#include "formats/levels/lit.h"
 #include "support/game_data.h"
 #include "world/test_levels.h"
 
@@ -16,10 +16,10 @@ void expect_same_structure(const TestLevel& test) {
   const formats::Bsp& bsp = test.bsp;
   const Level& level = *test.level;
   ASSERT_EQ(level.nodes.size(), bsp.nodes.size());
-  ASSERT_EQ(level.leafs.size(), bsp.leafs.size());
+  ASSERT_EQ(level.leaves.size(), bsp.leaves.size());
   ASSERT_EQ(level.models.size(), bsp.models.size());
   ASSERT_EQ(level.planes.size(), bsp.planes.size());
-  EXPECT_EQ(level.visible_leaf_count, static_cast<std::uint32_t>(bsp.models[0].visible_leafs));
+  EXPECT_EQ(level.visible_leaf_count, static_cast<std::uint32_t>(bsp.models[0].visible_leaves));
   for (std::size_t i = 0; i < bsp.nodes.size(); ++i) {
     for (std::size_t side = 0; side < 2; ++side) {
       const std::int32_t child = bsp.nodes[i].children[side];
@@ -68,25 +68,25 @@ TEST(MakeLevel, SurfedgesStartWhereTheFileSays) {
   EXPECT_TRUE(forward && backward);
 }
 
-TEST(MakeLevel, TakesColouredLightFromTheLitFileThenFromBspx) {
-  const formats::Bsp grey = artgen::make_small_level({.tiny = true});
+TEST(MakeLevel, TakesColoredLightFromTheLitFileThenFromBspx) {
+  const formats::Bsp gray = artgen::make_small_level({.tiny = true});
   formats::Lit lit;
-  for (std::size_t i = 0; i < grey.lighting.size() * 3; ++i)
+  for (std::size_t i = 0; i < gray.lighting.size() * 3; ++i)
     lit.samples.push_back(static_cast<std::uint8_t>(i % 251));
-  EXPECT_TRUE((*make_level(grey, "grey"))->light_rgb.empty());
-  EXPECT_EQ((*make_level(grey, "lit", &lit))->light_rgb, lit.samples);
+  EXPECT_TRUE((*make_level(gray, "gray"))->light_rgb.empty());
+  EXPECT_EQ((*make_level(gray, "lit", &lit))->light_rgb, lit.samples);
 
-  const formats::Bsp coloured = artgen::make_small_level({.coloured_light = true, .tiny = true});
-  const auto from_lump = base::as_u8(coloured.find_bspx("RGBLIGHTING")->data);
-  const auto level = make_level(coloured, "bspx");
+  const formats::Bsp colored = artgen::make_small_level({.colored_light = true, .tiny = true});
+  const auto from_lump = base::as_u8(colored.find_bspx("RGBLIGHTING")->data);
+  const auto level = make_level(colored, "bspx");
   ASSERT_TRUE(level.ok());
   EXPECT_TRUE(
       std::equal(from_lump.begin(), from_lump.end(), (*level)->light_rgb.begin(), (*level)->light_rgb.end()));
-  EXPECT_EQ((*make_level(coloured, "both", &lit))->light_rgb, lit.samples);
+  EXPECT_EQ((*make_level(colored, "both", &lit))->light_rgb, lit.samples);
 }
 
-TEST(MakeLevel, ColouredLightOfTheWrongSizeIsAnError) {
-  formats::Bsp bsp = artgen::make_small_level({.coloured_light = true, .tiny = true});
+TEST(MakeLevel, ColoredLightOfTheWrongSizeIsAnError) {
+  formats::Bsp bsp = artgen::make_small_level({.colored_light = true, .tiny = true});
   formats::Lit lit;
   lit.samples.resize(bsp.lighting.size() * 3 + 3);
   EXPECT_FALSE(make_level(bsp, "lit too long", &lit).ok());

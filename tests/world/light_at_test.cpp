@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
-#include "support/drawable_level.h"
 #include "support/effort.h"
 #include "support/game_data.h"
+#include "support/levels/drawable_level.h"
 #include "support/random.h"
 #include "world/visibility.h"
 
@@ -107,10 +107,10 @@ void expect_light_of_first_face(const world::Level& level, int points) {
     }
     ++compared;
     const math::Vec3d at(point.x, point.y, expected.z);
-    EXPECT_NEAR(light.grey, light_of(level, *expected.face, styles, at, 1, 0), 0.02) << "seed " << seed;
+    EXPECT_NEAR(light.gray, light_of(level, *expected.face, styles, at, 1, 0), 0.02) << "seed " << seed;
     for (std::size_t channel = 0; channel < 3; ++channel) {
       const double of_channel = level.light_rgb.empty()
-                                    ? double{light.grey}
+                                    ? double{light.gray}
                                     : light_of(level, *expected.face, styles, at, 3, channel);
       EXPECT_NEAR(light.rgb[static_cast<int>(channel)], of_channel, 0.02) << "seed " << seed;
     }
@@ -121,7 +121,7 @@ void expect_light_of_first_face(const world::Level& level, int points) {
 TEST(LightAt, IsThatOfTheFirstLitFaceBelow) {
   for (const artgen::SmallLevelOptions& options :
        {artgen::SmallLevelOptions{}, artgen::SmallLevelOptions{.four_styles = true},
-        artgen::SmallLevelOptions{.coloured_light = true}})
+        artgen::SmallLevelOptions{.colored_light = true}})
     expect_light_of_first_face(*small_level(options).level, effort(3000, 300));
 }
 
@@ -135,7 +135,7 @@ TEST(LightAt, OfALevelWithoutLightIsFull) {
   const DrawableLevel drawable = small_level({.light = false});
   const world::PointLight light =
       world::light_at(*drawable.level, world::light_as_stored(), math::Vec3(0.0f));
-  EXPECT_EQ(light.grey, 255);
+  EXPECT_EQ(light.gray, 255);
   EXPECT_EQ(light.rgb, math::Vec3(255.0f));
 }
 

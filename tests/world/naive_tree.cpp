@@ -48,7 +48,7 @@ std::size_t naive_leaf(const formats::Bsp& bsp, std::int32_t node, const Point& 
 std::int32_t naive_contents(const formats::Bsp& bsp, std::size_t model, std::size_t hull,
                             const Point& point) {
   std::int32_t node = bsp.models[model].head_nodes[hull];
-  if (hull == 0) return bsp.leafs[naive_leaf(bsp, node, point)].contents;
+  if (hull == 0) return bsp.leaves[naive_leaf(bsp, node, point)].contents;
   while (node >= 0) {
     const formats::BspClipnode& clipnode = bsp.clipnodes[static_cast<std::size_t>(node)];
     node = clipnode.children[distance(bsp.planes[clipnode.plane], point) >= 0 ? 0 : 1];
@@ -56,7 +56,7 @@ std::int32_t naive_contents(const formats::Bsp& bsp, std::size_t model, std::siz
   return node;
 }
 
-std::vector<LeafPiece> leafs_along(const formats::Bsp& bsp, const Point& start, const Point& end) {
+std::vector<LeafPiece> leaves_along(const formats::Bsp& bsp, const Point& start, const Point& end) {
   std::vector<LeafPiece> pieces;
   walk(bsp, bsp.models[0].head_nodes[0], start, end, pieces);
   return pieces;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "formats/bsp.h"
+#include "formats/levels/bsp.h"
 
 namespace temblor::world {
 
@@ -24,7 +24,7 @@ struct LeafPiece {
   std::size_t leaf;
   long double length;
 };
-// The leafs that the line from `start` to `end` passes, in order.
-std::vector<LeafPiece> leafs_along(const formats::Bsp& bsp, const Point& start, const Point& end);
+// The leaves that the line from `start` to `end` passes, in order.
+std::vector<LeafPiece> leaves_along(const formats::Bsp& bsp, const Point& start, const Point& end);
 
 }  // namespace temblor::world

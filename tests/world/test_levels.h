@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "artgen/small_level.h"
-#include "formats/bsp.h"
+#include "formats/levels/bsp.h"
 #include "world/level.h"
 
 namespace temblor::world {

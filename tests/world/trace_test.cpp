@@ -10,7 +10,7 @@
 
 #include "support/effort.h"
 #include "support/game_data.h"
-#include "support/plan_contents.h"
+#include "support/levels/level_script_contents.h"
 #include "support/random.h"
 #include "world/naive_tree.h"
 #include "world/test_levels.h"

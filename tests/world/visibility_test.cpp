@@ -30,16 +30,16 @@ math::Vec3 random_point_in(const formats::BspLeaf& leaf, test::Random& random) {
   return point;
 }
 
-void expect_leafs_of_points(const TestLevel& test, test::Random& random) {
+void expect_leaves_of_points(const TestLevel& test, test::Random& random) {
   for (int i = 0; i < test::effort(5000, 500); ++i) {
     const math::Vec3 point = random_point(test, random);
     const std::size_t expected = naive_leaf(test.bsp, test.bsp.models[0].head_nodes[0], to_point(point));
     const LeafIndex leaf = find_leaf(*test.level, point);
     ASSERT_EQ(base::to_size(leaf), expected) << test.name;
     ASSERT_EQ(static_cast<std::int32_t>(point_contents(*test.level, point)),
-              test.bsp.leafs[expected].contents);
+              test.bsp.leaves[expected].contents);
     if (expected == 0) continue;
-    const formats::BspLeaf& bsp_leaf = test.bsp.leafs[expected];
+    const formats::BspLeaf& bsp_leaf = test.bsp.leaves[expected];
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_GE(point[axis], bsp_leaf.mins[axis] - 1) << test.name << " leaf " << expected;
       EXPECT_LE(point[axis], bsp_leaf.maxs[axis] + 1) << test.name << " leaf " << expected;
@@ -49,10 +49,10 @@ void expect_leafs_of_points(const TestLevel& test, test::Random& random) {
 
 TEST(FindLeaf, IsTheLeafThatAPlainWalkFinds) {
   test::Random random(1);
-  expect_leafs_of_points(small_test_level(), random);
-  expect_leafs_of_points(small_test_level({.tiny = true}), random);
+  expect_leaves_of_points(small_test_level(), random);
+  expect_leaves_of_points(small_test_level({.tiny = true}), random);
   DATA_FOLDER_OR_SKIP(base_folder);
-  for (const TestLevel& test : stock_levels(base_folder)) expect_leafs_of_points(test, random);
+  for (const TestLevel& test : stock_levels(base_folder)) expect_leaves_of_points(test, random);
 }
 
 TEST(FindLeaf, PutsPointsOnAPlaneInFront) {
@@ -75,8 +75,8 @@ TEST(FindLeaf, PutsPointsOnAPlaneInFront) {
 
 // Row i of the file, one bool a leaf, read byte by byte as the format says.
 std::vector<bool> naive_row(const formats::Bsp& bsp, std::size_t leaf) {
-  const auto count = static_cast<std::size_t>(bsp.models[0].visible_leafs);
-  const std::int32_t offset = bsp.leafs[leaf].visibility_offset;
+  const auto count = static_cast<std::size_t>(bsp.models[0].visible_leaves);
+  const std::int32_t offset = bsp.leaves[leaf].visibility_offset;
   if (leaf == 0 || offset < 0 || bsp.visibility.empty()) return std::vector<bool>(count, true);
   std::vector<bool> bits;
   std::size_t at = static_cast<std::size_t>(offset);
@@ -92,7 +92,7 @@ std::vector<bool> naive_row(const formats::Bsp& bsp, std::size_t leaf) {
 
 void expect_rows(const TestLevel& test) {
   std::vector<std::uint8_t> row;
-  for (std::size_t leaf = 0; leaf < test.bsp.leafs.size(); ++leaf) {
+  for (std::size_t leaf = 0; leaf < test.bsp.leaves.size(); ++leaf) {
     decompress_pvs(*test.level, base::to_index<LeafIndex>(leaf), row);
     const std::vector<bool> expected = naive_row(test.bsp, leaf);
     ASSERT_EQ(row.size(), (expected.size() + 7) / 8);
@@ -120,9 +120,9 @@ TEST(DecompressPvs, ReadsRowsOfAnyBytesWithinBounds) {
     bsp.visibility.resize(1 + random.below(200));
     for (std::uint8_t& byte : bsp.visibility)
       byte = random.chance(0.4) ? 0 : static_cast<std::uint8_t>(random.bits());
-    for (formats::BspLeaf& leaf : bsp.leafs)
+    for (formats::BspLeaf& leaf : bsp.leaves)
       leaf.visibility_offset = static_cast<std::int32_t>(random.below(bsp.visibility.size()));
-    bsp.models[0].visible_leafs = static_cast<std::int32_t>(random.below(bsp.leafs.size()));
+    bsp.models[0].visible_leaves = static_cast<std::int32_t>(random.below(bsp.leaves.size()));
     expect_rows(test_level("random rows", bsp));
   }
 }
@@ -132,29 +132,29 @@ TEST(DecompressPvs, ReusesTheRowsMemory) {
   std::vector<std::uint8_t> row;
   decompress_pvs(*test.level, LeafIndex{1}, row);
   const std::uint8_t* memory = row.data();
-  for (std::size_t leaf = 0; leaf < test.bsp.leafs.size(); ++leaf) {
+  for (std::size_t leaf = 0; leaf < test.bsp.leaves.size(); ++leaf) {
     decompress_pvs(*test.level, base::to_index<LeafIndex>(leaf), row);
     EXPECT_EQ(row.data(), memory);
   }
 }
 
-// A line from an eye that has met nothing but the eye's own contents proves that its leafs can be seen.
+// A line from an eye that has met nothing but the eye's own contents proves that its leaves can be seen.
 // (Compilers take a change of contents, as at a water surface, for the end of the view.)
 void expect_rays_stay_visible(const TestLevel& test, test::Random& random, int rays) {
-  constexpr long double kGrazing = 0.1L;  // units: thinner pieces may be an artefact of rounded vertices
-  const auto leaf_count = static_cast<std::size_t>(test.bsp.models[0].visible_leafs);
+  constexpr long double kGrazing = 0.1L;  // units: thinner pieces may be an artifact of rounded vertices
+  const auto leaf_count = static_cast<std::size_t>(test.bsp.models[0].visible_leaves);
   std::vector<std::uint8_t> row;
   int proofs = 0;
   for (int i = 0; i < rays; ++i) {
     const std::size_t start_leaf = 1 + random.below(leaf_count);
-    const math::Vec3 eye = random_point_in(test.bsp.leafs[start_leaf], random);
-    const math::Vec3 target = random_point_in(test.bsp.leafs[1 + random.below(leaf_count)], random);
-    const std::vector<LeafPiece> pieces = leafs_along(test.bsp, to_point(eye), to_point(target));
+    const math::Vec3 eye = random_point_in(test.bsp.leaves[start_leaf], random);
+    const math::Vec3 target = random_point_in(test.bsp.leaves[1 + random.below(leaf_count)], random);
+    const std::vector<LeafPiece> pieces = leaves_along(test.bsp, to_point(eye), to_point(target));
     const std::size_t eye_leaf = pieces.front().leaf;
     if (eye_leaf == 0) continue;
     decompress_pvs(*test.level, base::to_index<LeafIndex>(eye_leaf), row);
     for (const LeafPiece& piece : pieces) {
-      if (test.bsp.leafs[piece.leaf].contents != test.bsp.leafs[eye_leaf].contents) break;
+      if (test.bsp.leaves[piece.leaf].contents != test.bsp.leaves[eye_leaf].contents) break;
       if (piece.length < kGrazing) continue;
       EXPECT_TRUE(pvs_has(row, base::to_index<LeafIndex>(piece.leaf)))
           << test.name << " from leaf " << eye_leaf << " to leaf " << piece.leaf;

@@ -27,7 +27,7 @@ void for_each_cell(const CellGrid& grid, Visit visit) {
       for (std::size_t x = 0; x < grid.size(0); ++x) visit(CellPosition{x, y, z});
 }
 
-float centre(const CellGrid& grid, std::size_t axis, std::size_t cell) {
+float center(const CellGrid& grid, std::size_t axis, std::size_t cell) {
   return (grid.lines[axis][cell] + grid.lines[axis][cell + 1]) / 2;
 }
 
@@ -88,7 +88,7 @@ CellGrid make_grid(std::span<const PlanBox> boxes, std::int32_t background, floa
     lines.push_back(lines.back() + kBorderUnits);
   }
   for_each_cell(grid, [&](const CellPosition& at) {
-    const math::Vec3 middle(centre(grid, 0, at[0]), centre(grid, 1, at[1]), centre(grid, 2, at[2]));
+    const math::Vec3 middle(center(grid, 0, at[0]), center(grid, 1, at[1]), center(grid, 2, at[2]));
     Cell cell{background, CellLook::kNone};
     for (const PlanBox& box : boxes)
       if (holds(box.bounds, middle)) cell = {box.contents, box.look};
@@ -110,7 +110,7 @@ CellGrid grow_grid(const CellGrid& grid, const math::Vec3& mins, const math::Vec
     }
     sort_unique(grown.lines[axis]);
     for (std::size_t cell = 0; cell < grown.size(axis); ++cell) {
-      const float middle = centre(grown, axis, cell);
+      const float middle = center(grown, axis, cell);
       touched[axis].push_back(touched_cells(grid.lines[axis], middle + low, middle + high));
     }
   }

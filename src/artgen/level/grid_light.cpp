@@ -81,7 +81,7 @@ math::Vec3 GridLighter::light_at(const PlanLight& light, const math::Vec3& posit
   const float facing = glm::dot(towards, normal);
   if (distance >= light.reach || facing <= 0 || blocked(position, light.origin)) return math::Vec3(0.0f);
   const float slant = facing / std::max(distance, 1.0f);
-  return light.colour * ((light.reach - distance) * (0.5f + 0.5f * slant));
+  return light.color * ((light.reach - distance) * (0.5f + 0.5f * slant));
 }
 
 FaceLight GridLighter::light(const CellGrid& face_grid, const GridFace& face,

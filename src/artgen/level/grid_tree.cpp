@@ -72,11 +72,11 @@ GridTree build_grid_tree(const CellGrid& grid) {
     const std::optional<Split> split = choose_split(grid, next.range);
     CHECK(split || !is_root, "a grid of one contents");
     const auto child =
-        split ? static_cast<std::int32_t>(tree.nodes.size()) : ~static_cast<std::int32_t>(tree.leafs.size());
+        split ? static_cast<std::int32_t>(tree.nodes.size()) : ~static_cast<std::int32_t>(tree.leaves.size());
     if (!is_root) tree.nodes[next.parent].children[next.side] = child;
     is_root = false;
     if (!split) {
-      tree.leafs.push_back({grid.at(next.range.first).contents, next.range});
+      tree.leaves.push_back({grid.at(next.range.first).contents, next.range});
       continue;
     }
     CellRange above = next.range;

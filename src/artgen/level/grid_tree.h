@@ -1,4 +1,4 @@
-// A grid as a tree of splitting planes whose leafs are boxes of one contents.
+// A grid as a tree of splitting planes whose leaves are boxes of one contents.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ struct GridTree {
     std::int32_t contents;
     CellRange range;
   };
-  std::vector<Node> nodes;  // the root first
-  std::vector<Leaf> leafs;  // each box its own, solid ones too
+  std::vector<Node> nodes;   // the root first
+  std::vector<Leaf> leaves;  // each box its own, solid ones too
 };
 
 // The grid must have cells of more than one contents.

@@ -55,20 +55,20 @@ class Flood {
 
 }  // namespace
 
-std::vector<std::vector<std::uint8_t>> visible_leafs(const CellGrid& grid,
-                                                     std::span<const GridTree::Leaf> leafs) {
+std::vector<std::vector<std::uint8_t>> visible_leaves(const CellGrid& grid,
+                                                      std::span<const GridTree::Leaf> leaves) {
   std::vector<std::uint32_t> leaf_of_cell(grid.cells.size(), kNoLeaf);
-  for (std::size_t leaf = 0; leaf < leafs.size(); ++leaf)
-    for_each_cell(grid, leafs[leaf].range,
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+    for_each_cell(grid, leaves[leaf].range,
                   [&](std::size_t cell) { leaf_of_cell[cell] = static_cast<std::uint32_t>(leaf); });
 
   Flood flood(grid);
   std::vector<std::vector<std::uint8_t>> rows;
-  for (const GridTree::Leaf& leaf : leafs) {
+  for (const GridTree::Leaf& leaf : leaves) {
     std::vector<bool> seen(grid.cells.size(), false);
     for (unsigned octant = 0; octant < 8; ++octant)
       flood.run(leaf.range, {(octant & 1) != 0, (octant & 2) != 0, (octant & 4) != 0}, seen);
-    std::vector<std::uint8_t> row((leafs.size() + 7) / 8);
+    std::vector<std::uint8_t> row((leaves.size() + 7) / 8);
     for (std::size_t cell = 0; cell < seen.size(); ++cell) {
       const std::uint32_t other = leaf_of_cell[cell];
       if (seen[cell] && other != kNoLeaf)
@@ -80,13 +80,13 @@ std::vector<std::vector<std::uint8_t>> visible_leafs(const CellGrid& grid,
 }
 
 std::vector<std::uint8_t> compress_row(std::span<const std::uint8_t> row) {
-  constexpr std::size_t kLongestRun = 255;
+  constexpr std::size_t kMaxRun = 255;
   std::vector<std::uint8_t> coded;
   for (std::size_t i = 0; i < row.size();) {
     coded.push_back(row[i]);
     if (row[i++] != 0) continue;
     std::size_t run = 1;
-    while (i < row.size() && row[i] == 0 && run < kLongestRun) {
+    while (i < row.size() && row[i] == 0 && run < kMaxRun) {
       ++run;
       ++i;
     }

@@ -1,4 +1,4 @@
-// Which leafs of a grid can see each other, never too few.
+// Which leaves of a grid can see each other, never too few.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace temblor::artgen {
 
-// For each of `leafs`, one bit for each of them (bit i of byte i / 8 first): whether a straight line leads
+// For each of `leaves`, one bit for each of them (bit i of byte i / 8 first): whether a straight line leads
 // from the one to the other. Conservative: a line runs one way along each axis, so every cell that it can
 // reach is found by steps that never turn back.
-std::vector<std::vector<std::uint8_t>> visible_leafs(const CellGrid& grid,
-                                                     std::span<const GridTree::Leaf> leafs);
+std::vector<std::vector<std::uint8_t>> visible_leaves(const CellGrid& grid,
+                                                      std::span<const GridTree::Leaf> leaves);
 
 // A row as levels store it: zero bytes run-length coded.
 std::vector<std::uint8_t> compress_row(std::span<const std::uint8_t> row);

@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "artgen/noise.h"
 #include "artgen/palette.h"
+#include "artgen/scripts/noise.h"
 
 namespace temblor::artgen {
 namespace {
@@ -39,43 +39,43 @@ std::uint8_t paint_brick(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   const std::int32_t row = y / kHeight;
   const std::int32_t shifted = (x + row % 2 * kWidth / 2) % kSide;
   const double noise = tiling_noise(x, y, kSide, 8, seed);
-  if (shifted % kWidth == 0 || y % kHeight == 0) return ramp_colour(Ramp::kGrey, 0.12 + 0.16 * noise);
+  if (shifted % kWidth == 0 || y % kHeight == 0) return ramp_color(Ramp::kGray, 0.12 + 0.16 * noise);
   const double tone = hash_noise(shifted / kWidth, row, seed) * 0.18;
-  return ramp_colour(Ramp::kBrick, 0.24 + tone + 0.34 * noise + bevel(shifted, y, kWidth, kHeight));
+  return ramp_color(Ramp::kBrick, 0.24 + tone + 0.34 * noise + bevel(shifted, y, kWidth, kHeight));
 }
 
 std::uint8_t paint_slabs(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   constexpr std::int32_t kSlab = 32;
   const double noise = tiling_noise(x, y, kSide, 16, seed);
-  if (x % kSlab == 0 || y % kSlab == 0) return ramp_colour(Ramp::kBrown, 0.14 + 0.1 * noise);
+  if (x % kSlab == 0 || y % kSlab == 0) return ramp_color(Ramp::kBrown, 0.14 + 0.1 * noise);
   const double tone = hash_noise(x / kSlab, y / kSlab, seed) * 0.12;
-  return ramp_colour(Ramp::kSand, 0.2 + tone + 0.36 * noise + bevel(x, y, kSlab, kSlab));
+  return ramp_color(Ramp::kSand, 0.2 + tone + 0.36 * noise + bevel(x, y, kSlab, kSlab));
 }
 
 std::uint8_t paint_concrete(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   const double seam = distance_to_joint(x, kSide) == 0 || distance_to_joint(y, kSide) == 0 ? -0.1 : 0;
-  return ramp_colour(Ramp::kSlate, 0.28 + seam + 0.34 * tiling_noise(x, y, kSide, 8, seed));
+  return ramp_color(Ramp::kSlate, 0.28 + seam + 0.34 * tiling_noise(x, y, kSide, 8, seed));
 }
 
 std::uint8_t paint_trim(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   constexpr std::int32_t kBand = 16;
   const std::int32_t edge = std::min(distance_to_joint(x, kBand), distance_to_joint(y, kSide));
   const double groove = edge == 0 ? -0.18 : edge == 1 ? 0.1 : 0;
-  return ramp_colour(Ramp::kRust, 0.3 + groove + 0.3 * tiling_noise(x, y, kSide, 16, seed));
+  return ramp_color(Ramp::kRust, 0.3 + groove + 0.3 * tiling_noise(x, y, kSide, 16, seed));
 }
 
 std::uint8_t paint_stone(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   constexpr std::int32_t kHeight = 32;
   const std::int32_t shifted = (x + y / kHeight * 24) % kSide;
   const double noise = tiling_noise(x, y, kSide, 16, seed);
-  if (shifted == 0 || y % kHeight == 0) return ramp_colour(Ramp::kGrey, 0.16 + 0.12 * noise);
-  return ramp_colour(Ramp::kGrey, 0.3 + 0.36 * noise + bevel(shifted, y, kSide, kHeight));
+  if (shifted == 0 || y % kHeight == 0) return ramp_color(Ramp::kGray, 0.16 + 0.12 * noise);
+  return ramp_color(Ramp::kGray, 0.3 + 0.36 * noise + bevel(shifted, y, kSide, kHeight));
 }
 
 std::uint8_t paint_earth(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   const double grass = tiling_noise(x, y, kSide, 32, seed + 100);
   const double noise = tiling_noise(x, y, kSide, 4, seed);
-  return ramp_colour(grass > 0.52 ? Ramp::kOlive : Ramp::kBrown, 0.22 + 0.44 * noise);
+  return ramp_color(grass > 0.52 ? Ramp::kOlive : Ramp::kBrown, 0.22 + 0.44 * noise);
 }
 
 // Tubes of light behind a frame; the animation lets them flicker one after the other.
@@ -83,11 +83,11 @@ std::uint8_t paint_panel(std::int32_t x, std::int32_t y, Ramp ramp, std::int32_t
   constexpr std::int32_t kTubes = 4;
   constexpr std::int32_t kTubeWidth = kSide / kTubes;
   if (std::min(distance_to_joint(x, kSide), distance_to_joint(y, kSide)) < 4)
-    return ramp_colour(Ramp::kSlate, 0.35);
+    return ramp_color(Ramp::kSlate, 0.35);
   const std::int32_t tube = x / kTubeWidth;
   const double across = std::abs(x % kTubeWidth - kTubeWidth / 2 + 0.5) / (kTubeWidth / 2.0);
-  if (across > 0.7) return ramp_colour(Ramp::kSlate, 0.2);
-  return ramp_colour(ramp, (tube == bright_tube ? 1.0 : 0.72) - 0.5 * across);
+  if (across > 0.7) return ramp_color(Ramp::kSlate, 0.2);
+  return ramp_color(ramp, (tube == bright_tube ? 1.0 : 0.72) - 0.5 * across);
 }
 std::uint8_t paint_panel_0(std::int32_t x, std::int32_t y, std::uint64_t) {
   return paint_panel(x, y, Ramp::kFire, 0);
@@ -105,39 +105,39 @@ std::uint8_t paint_door(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   const std::int32_t dx = x % kPlate - kPlate / 2;
   const std::int32_t dy = y % kPlate - kPlate / 2;
   if (std::abs(dx) + std::abs(dy) < 5)
-    return ramp_colour(Ramp::kElectric, 0.9 - 0.1 * (dx * dx + dy * dy) / 4.0);
-  return ramp_colour(Ramp::kTeal, 0.26 + 0.24 * noise + bevel(x, y, kPlate, kPlate) * 1.5);
+    return ramp_color(Ramp::kElectric, 0.9 - 0.1 * (dx * dx + dy * dy) / 4.0);
+  return ramp_color(Ramp::kTeal, 0.26 + 0.24 * noise + bevel(x, y, kPlate, kPlate) * 1.5);
 }
 
 std::uint8_t paint_water(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   const double turn = 2 * std::numbers::pi / kSide;
   const double waves =
       std::sin(turn * (2 * x + y)) + std::sin(turn * (3 * y - x)) + std::sin(turn * (x - 4 * y));
-  return ramp_colour(Ramp::kBlue, 0.36 + 0.06 * waves + 0.3 * tiling_noise(x, y, kSide, 16, seed));
+  return ramp_color(Ramp::kBlue, 0.36 + 0.06 * waves + 0.3 * tiling_noise(x, y, kSide, 16, seed));
 }
 
 // Left half: clouds, index 0 where the background shows. Right half: the background.
 std::uint8_t paint_sky(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   if (x < kSkySide) {
     const double cloud = tiling_noise(x, y, kSkySide, 32, seed);
-    return cloud < 0.5 ? std::uint8_t{0} : ramp_colour(Ramp::kSlate, 0.4 + 1.4 * (cloud - 0.5));
+    return cloud < 0.5 ? std::uint8_t{0} : ramp_color(Ramp::kSlate, 0.4 + 1.4 * (cloud - 0.5));
   }
   const double haze = tiling_noise(x - kSkySide, y, kSkySide, 64, seed + 7);
-  return ramp_colour(Ramp::kBlue, 0.34 + 0.5 * haze);
+  return ramp_color(Ramp::kBlue, 0.34 + 0.5 * haze);
 }
 
-struct Recipe {
+struct Script {
   const char* name;
   Painter painter;
 };
-constexpr Recipe kRecipes[] = {
+constexpr Script kScripts[] = {
     {"brick", paint_brick},     {"slabs", paint_slabs},     {"concrete", paint_concrete},
     {"trim", paint_trim},       {"stone", paint_stone},     {"earth", paint_earth},
     {"+0panel", paint_panel_0}, {"door", paint_door},       {"*water", paint_water},
     {"sky_dusk", paint_sky},    {"+1panel", paint_panel_1}, {"+apanel", paint_panel_alternate},
 };
 
-// The nearest colour to the average of a square of texels: full-bright where most of them are.
+// The nearest color to the average of a square of texels: full-bright where most of them are.
 std::uint8_t average_texels(const formats::Palette& palette, const formats::BspMiptex& miptex,
                             std::uint32_t x0, std::uint32_t y0, std::uint32_t side) {
   int red = 0, green = 0, blue = 0, fullbright = 0;
@@ -157,8 +157,8 @@ std::uint8_t average_texels(const formats::Palette& palette, const formats::BspM
   int best = first;
   int best_distance = std::numeric_limits<int>::max();
   for (int i = first; i < last; ++i) {
-    const formats::Rgb& colour = palette[static_cast<std::size_t>(i)];
-    const int dr = colour.r - red / count, dg = colour.g - green / count, db = colour.b - blue / count;
+    const formats::Rgb& color = palette[static_cast<std::size_t>(i)];
+    const int dr = color.r - red / count, dg = color.g - green / count, db = color.b - blue / count;
     const int distance = dr * dr + dg * dg + db * db;
     if (distance < best_distance) {
       best = i;
@@ -177,17 +177,17 @@ void add_mips(const formats::Palette& palette, formats::BspMiptex& io_miptex) {
   }
 }
 
-formats::BspMiptex paint(const Recipe& recipe, std::int32_t shrink, std::uint64_t seed) {
-  const bool is_sky = recipe.painter == paint_sky;
+formats::BspMiptex paint(const Script& script, std::int32_t shrink, std::uint64_t seed) {
+  const bool is_sky = script.painter == paint_sky;
   const std::int32_t width = is_sky ? 2 * kSkySide : kSide;
   const std::int32_t height = is_sky ? kSkySide : kSide;
   formats::BspMiptex miptex;
   miptex.present = true;
-  miptex.name = recipe.name;
+  miptex.name = script.name;
   miptex.width = static_cast<std::uint32_t>(width / shrink);
   miptex.height = static_cast<std::uint32_t>(height / shrink);
   for (std::int32_t y = 0; y < height; y += shrink)
-    for (std::int32_t x = 0; x < width; x += shrink) miptex.mips[0].push_back(recipe.painter(x, y, seed));
+    for (std::int32_t x = 0; x < width; x += shrink) miptex.mips[0].push_back(script.painter(x, y, seed));
   return miptex;
 }
 
@@ -196,8 +196,8 @@ formats::BspMiptex paint(const Recipe& recipe, std::int32_t shrink, std::uint64_
 std::vector<formats::BspMiptex> make_materials(const SmallLevelOptions& options) {
   const formats::Palette palette = make_palette();
   std::vector<formats::BspMiptex> miptexes;
-  for (const Recipe& recipe : kRecipes) {
-    miptexes.push_back(paint(recipe, options.tiny ? kTinyShrink : 1, options.seed));
+  for (const Script& script : kScripts) {
+    miptexes.push_back(paint(script, options.tiny ? kTinyShrink : 1, options.seed));
     add_mips(palette, miptexes.back());
   }
   if (options.missing_texture) {

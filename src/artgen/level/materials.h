@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "artgen/small_level.h"
-#include "formats/bsp.h"
+#include "formats/levels/bsp.h"
 
 namespace temblor::artgen {
 

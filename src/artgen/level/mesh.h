@@ -1,4 +1,4 @@
-// Loops of vertices as a level stores them: vertices once, edges shared between neighbouring faces.
+// Loops of vertices as a level stores them: vertices once, edges shared between neighboring faces.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 #include <map>
 #include <span>
 
-#include "formats/bsp.h"
+#include "formats/levels/bsp.h"
 #include "math/vec.h"
 
 namespace temblor::artgen {

@@ -28,7 +28,7 @@ struct PlanLight {
   math::Vec3 origin;
   float reach;  // the distance at which it has faded to nothing, and its brightness right beside it
   std::uint8_t style;
-  math::Vec3 colour;  // 1 is full
+  math::Vec3 color;  // 1 is full
 };
 
 struct PlanThing {

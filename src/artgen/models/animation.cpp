@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "artgen/models/values.h"
+#include "artgen/models/reading/values.h"
 
 namespace temblor::artgen {
 namespace {
@@ -16,7 +16,7 @@ double slope_between(const Keys& keys, std::size_t i) {
   return (keys[i + 1].second - keys[i].second) / (keys[i + 1].first - keys[i].first);
 }
 
-// At key i, which has neighbours on both sides.
+// At key i, which has neighbors on both sides.
 double slope_at(const Keys& keys, std::size_t i) {
   const double before = slope_between(keys, i - 1), after = slope_between(keys, i);
   if (before * after <= 0) return 0;

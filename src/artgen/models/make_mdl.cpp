@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "artgen/models/model.h"
-#include "formats/mdl_normals.h"
+#include "formats/models/mdl_normals.h"
 
 namespace temblor::artgen {
 namespace {
@@ -192,11 +192,11 @@ Mdl make_mdl(const Model& model) {
   return mdl;
 }
 
-base::Result<std::vector<ArtPart>> make_model_art(const RecipeLine& thing) {
+base::Result<std::vector<ArtPart>> make_model_art(const ScriptLine& thing) {
   TRY(const Model model, read_model(thing));
   const Mdl mdl = make_mdl(model);
   if (mdl.bounding_radius > kFarthest)
-    return recipe_error(thing, fmt::format("it reaches {:.0f} units from its origin, the farthest is {}",
+    return script_error(thing, fmt::format("it reaches {:.0f} units from its origin, the farthest is {}",
                                            mdl.bounding_radius, kFarthest));
   std::vector<ArtPart> parts;
   parts.push_back({model.path, formats::write_mdl(mdl)});

@@ -1,4 +1,4 @@
-// A model as its recipe has it: bones, shapes on them, paints and movement; and what becomes of it.
+// A model as its script has it: bones, shapes on them, paints and movement; and what becomes of it.
 #pragma once
 
 #include <map>
@@ -10,9 +10,9 @@
 #include "artgen/models/mesh.h"
 #include "artgen/models/skeleton.h"
 #include "artgen/models/skin.h"
-#include "artgen/recipe.h"
+#include "artgen/scripts/script.h"
 #include "base/result.h"
-#include "formats/mdl.h"
+#include "formats/models/mdl.h"
 
 namespace temblor::artgen {
 
@@ -33,11 +33,11 @@ struct Model {
 };
 
 // Errors begin with the line. docs/art.md has the words.
-base::Result<Model> read_model(const RecipeLine& thing);
+base::Result<Model> read_model(const ScriptLine& thing);
 
 formats::Mdl make_mdl(const Model& model);
 
 // The maker of "model".
-base::Result<std::vector<ArtPart>> make_model_art(const RecipeLine& thing);
+base::Result<std::vector<ArtPart>> make_model_art(const ScriptLine& thing);
 
 }  // namespace temblor::artgen

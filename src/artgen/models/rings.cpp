@@ -41,12 +41,12 @@ class RingBuilder {
   void find_axes() {
     axes_.assign(rings_.size(), {});
     for (std::size_t i = 0; i < rings_.size(); ++i) {
-      const Vec3d before = rings_[i > 0 ? i - 1 : 0].centre;
-      const Vec3d after = rings_[std::min(i + 1, rings_.size() - 1)].centre;
+      const Vec3d before = rings_[i > 0 ? i - 1 : 0].center;
+      const Vec3d after = rings_[std::min(i + 1, rings_.size() - 1)].center;
       const Vec3d way = after - before;
       axes_[i].along = glm::length(way) > 1e-9 ? glm::normalize(way) : Vec3d(0, 0, 1);
     }
-    const Vec3d whole = rings_.back().centre - rings_.front().centre;
+    const Vec3d whole = rings_.back().center - rings_.front().center;
     const Vec3d size = glm::abs(whole);
     const bool lies_across = size.y > std::max(size.x, size.z);
     const bool lies_ahead = !lies_across && size.x > size.z;
@@ -66,7 +66,7 @@ class RingBuilder {
   void add_round_ends() {
     const auto pole = [&](std::size_t from, double direction) {
       Ring ring = rings_[from];
-      ring.centre += axes_[from].along * (direction * kRoundEnd * 0.5 * (ring.width + ring.depth));
+      ring.center += axes_[from].along * (direction * kRoundEnd * 0.5 * (ring.width + ring.depth));
       ring.width = ring.depth = 0;
       return ring;
     };
@@ -81,7 +81,7 @@ class RingBuilder {
 
   Vec3d place_on(std::size_t ring, std::size_t corner) const {
     const double angle = angle_deg(corner) * (std::numbers::pi / 180);
-    return rings_[ring].centre + axes_[ring].side * (rings_[ring].width * std::sin(angle)) +
+    return rings_[ring].center + axes_[ring].side * (rings_[ring].width * std::sin(angle)) +
            axes_[ring].other * (rings_[ring].depth * std::cos(angle));
   }
 

@@ -10,7 +10,7 @@
 namespace temblor::artgen {
 
 struct Ring {
-  math::Vec3d centre{0.0};      // the model's space
+  math::Vec3d center{0.0};      // the model's space
   double width = 0, depth = 0;  // radii: sideways, and across that; both 0 in a point, at an end only
   std::size_t bone_a = 0, bone_b = 0;
   double share_b = 0;
@@ -27,7 +27,7 @@ struct RingSurface {
   RingEnd first_end = RingEnd::kRound, last_end = RingEnd::kRound;
 };
 
-// Sections are square to the line through the rings' centres. Angle 0 is ahead for what stands or hangs,
+// Sections are square to the line through the rings' centers. Angle 0 is ahead for what stands or hangs,
 // above for what lies; 90 is left (for what lies across: ahead).
 void add_rings(const RingSurface& surface, std::uint32_t shape, Mesh& io_mesh);
 

@@ -13,7 +13,7 @@ namespace {
 using math::Vec2d;
 using math::Vec3d;
 
-constexpr double kBleedTexels = 1.0;  // round a triangle that texels take their colour from it
+constexpr double kBleedTexels = 1.0;  // round a triangle that texels take their color from it
 constexpr double kDeepCrease = 1.25;  // of the brightness that a wholly hidden place loses
 constexpr double kWearUnits = 0.7;    // width of worn edges
 
@@ -146,7 +146,7 @@ bool covers(const PaintLayer& layer, const SkinTexel& texel, std::uint64_t seed)
   return at - std::floor(at) < layer.amount;
 }
 
-std::uint8_t colour_of(const SkinTexel& texel, const Paint& paint, std::size_t number) {
+std::uint8_t color_of(const SkinTexel& texel, const Paint& paint, std::size_t number) {
   // By the paint's name, so that a paint more or less leaves the others' noise as it is.
   std::uint64_t seed = 17;
   for (const char c : paint.name) seed = seed * 131 + static_cast<unsigned char>(c);
@@ -168,8 +168,8 @@ std::uint8_t colour_of(const SkinTexel& texel, const Paint& paint, std::size_t n
   double value = low + (high - low) * bright;
   if (!glows) value *= 1 - std::min(0.9, kDeepCrease * texel.hidden) * paint.shade;
   const auto x = static_cast<std::int32_t>(number % 65536), y = static_cast<std::int32_t>(number / 65536);
-  const double dither = (hash_at(x, y, 0, seed) - 0.5) * 0.7 / static_cast<double>(kRampColours - 1);
-  return ramp_colour(ramp, value + dither);
+  const double dither = (hash_at(x, y, 0, seed) - 0.5) * 0.7 / static_cast<double>(kRampColors - 1);
+  return ramp_color(ramp, value + dither);
 }
 
 }  // namespace
@@ -235,8 +235,7 @@ std::vector<std::uint8_t> paint_skin(const std::vector<SkinTexel>& texels, std::
   for (std::size_t i = 0; i < texels.size(); ++i) {
     if (!texels[i].used) continue;
     const std::size_t row = i / static_cast<std::size_t>(width), column = i % static_cast<std::size_t>(width);
-    skin[i] =
-        colour_of(texels[i], paint_at(texels[i], shapes[texels[i].shape], paints), row * 65536 + column);
+    skin[i] = color_of(texels[i], paint_at(texels[i], shapes[texels[i].shape], paints), row * 65536 + column);
   }
   return skin;
 }

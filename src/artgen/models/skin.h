@@ -14,9 +14,9 @@
 
 namespace temblor::artgen {
 
-// A second colour over parts of a paint.
+// A second color over parts of a paint.
 struct PaintLayer {
-  Ramp ramp = Ramp::kGrey;
+  Ramp ramp = Ramp::kGray;
   double low = 0, high = 1;
   double amount = 0.3;        // 0 to 1: how much of the surface
   double grain = 4;           // units: of spots
@@ -27,7 +27,7 @@ struct PaintLayer {
 
 struct Paint {
   std::string name;
-  Ramp ramp = Ramp::kGrey;
+  Ramp ramp = Ramp::kGray;
   double low = 0, high = 1;  // brightness of its darkest and brightest parts
   double noise = 0.3;        // 0 to 1
   double grain = 4;          // units: of the noise

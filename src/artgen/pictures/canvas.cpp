@@ -13,7 +13,7 @@ using math::Vec2d;
 
 constexpr Vec2d kLight{-0.6, -0.8};  // towards it
 
-Colour mix(const Colour& from, const Colour& to, double share) {
+Color mix(const Color& from, const Color& to, double share) {
   return from + (to - from) * share;
 }
 
@@ -22,10 +22,10 @@ double noise(Vec2d place, double lump, std::uint64_t seed) {
 }
 
 // Over what is there already.
-void cover(Canvas::Sample& io_sample, const Colour& colour, double opacity) {
+void cover(Canvas::Sample& io_sample, const Color& color, double opacity) {
   const double together = opacity + io_sample.cover * (1 - opacity);
   if (together <= 0) return;
-  io_sample.colour = mix(io_sample.colour, colour, opacity / together);
+  io_sample.color = mix(io_sample.color, color, opacity / together);
   io_sample.cover = together;
 }
 
@@ -39,7 +39,7 @@ struct Outside {
   }
 };
 
-// Where a place lies between the ink's two colours.
+// Where a place lies between the ink's two colors.
 double blended(const Outline& outline, Vec2d local, Blend blend) {
   const Vec2d size = glm::max(outline.maxs - outline.mins, Vec2d{1e-6, 1e-6});
   const Vec2d share = (local - outline.mins) / size;
@@ -57,30 +57,30 @@ double relief(const Outside& shape, Vec2d place, double distance, const Ink& ink
          glm::dot(shape.slope(place, 0.2), kLight);
 }
 
-Colour inked(const formats::Palette& palette, const Outside& shape, Vec2d place, double distance,
-             const Ink& ink) {
+Color inked(const formats::Palette& palette, const Outside& shape, Vec2d place, double distance,
+            const Ink& ink) {
   const double share = blended(shape.outline, shape.placement.to_local(place), ink.blend);
   const double by =
       relief(shape, place, distance, ink) + 2 * ink.grain * (noise(place, ink.lump, ink.seed) - 0.5);
-  const auto lit = [&](const Tone& tone) { return colour_of(palette, {tone.ramp, tone.tone + by}); };
-  Colour colour = ink.colour.ramp == ink.to.ramp
-                      ? lit({ink.colour.ramp, ink.colour.tone + (ink.to.tone - ink.colour.tone) * share})
-                      : mix(lit(ink.colour), lit(ink.to), share);
-  if (!ink.stain) return colour;
+  const auto lit = [&](const Tone& tone) { return color_of(palette, {tone.ramp, tone.tone + by}); };
+  Color color = ink.color.ramp == ink.to.ramp
+                    ? lit({ink.color.ramp, ink.color.tone + (ink.to.tone - ink.color.tone) * share})
+                    : mix(lit(ink.color), lit(ink.to), share);
+  if (!ink.stain) return color;
   constexpr double kSoft = 0.12;
   const double spot = noise(place, ink.stain_lump, ink.seed + 17) - (1 - ink.stained);
-  return mix(colour, lit(*ink.stain), std::clamp(spot / kSoft + 0.5, 0.0, 1.0));
+  return mix(color, lit(*ink.stain), std::clamp(spot / kSoft + 0.5, 0.0, 1.0));
 }
 
 }  // namespace
 
-Colour colour_of(const formats::Palette& palette, const Tone& tone) {
-  const double step = std::clamp(tone.tone, 0.0, 1.0) * (static_cast<double>(kRampColours) - 1);
+Color color_of(const formats::Palette& palette, const Tone& tone) {
+  const double step = std::clamp(tone.tone, 0.0, 1.0) * (static_cast<double>(kRampColors) - 1);
   const auto first = static_cast<std::size_t>(std::floor(step));
   const auto at = [&](std::size_t i) {
-    std::size_t index = static_cast<std::size_t>(tone.ramp) * kRampColours + std::min(i, kRampColours - 1);
+    std::size_t index = static_cast<std::size_t>(tone.ramp) * kRampColors + std::min(i, kRampColors - 1);
     index = std::min<std::size_t>(index, kTransparent - 1);
-    return Colour{palette[index].r / 255.0, palette[index].g / 255.0, palette[index].b / 255.0};
+    return Color{palette[index].r / 255.0, palette[index].g / 255.0, palette[index].b / 255.0};
   };
   return mix(at(first), at(first + 1), step - std::floor(step));
 }
@@ -142,17 +142,17 @@ void Canvas::paint(const Outline& outline, const Placement& placement, const Ink
           distance < 0 && (ink.holes <= 0 || noise(place, ink.lump, ink.seed + 29) >= ink.holes);
       if (lies_there) {
         cover(sample, inked(palette_, shape, place, distance, ink), ink.opacity);
-        sample.ramp = ink.keeps_ramp ? static_cast<std::int16_t>(ink.colour.ramp) : std::int16_t{-1};
+        sample.ramp = ink.keeps_ramp ? static_cast<std::int16_t>(ink.color.ramp) : std::int16_t{-1};
         continue;
       }
       if (ink.glow && distance < ink.glow_reach) {
         const double far = std::max(distance, 0.0) / ink.glow_reach;
-        cover(sample, colour_of(palette_, *ink.glow), ink.glow_strength * (1 - far) * (1 - far));
+        cover(sample, color_of(palette_, *ink.glow), ink.glow_strength * (1 - far) * (1 - far));
       }
       if (ink.shadow > 0 && shape.at(place - Vec2d{ink.shadow, ink.shadow}) < 0)
-        cover(sample, Colour{0.0}, 0.75 * ink.opacity);
+        cover(sample, Color{0.0}, 0.75 * ink.opacity);
       if (ink.edge && distance >= 0 && distance < ink.edge_width) {
-        cover(sample, colour_of(palette_, *ink.edge), ink.opacity);
+        cover(sample, color_of(palette_, *ink.edge), ink.opacity);
         sample.ramp = -1;
       }
     }
@@ -160,25 +160,25 @@ void Canvas::paint(const Outline& outline, const Placement& placement, const Ink
 }
 
 void Canvas::tint(const Tone& tone, double amount, bool rim) {
-  const Colour colour = colour_of(palette_, tone);
+  const Color color = color_of(palette_, tone);
   const Vec2d middle = Vec2d{width_, height_} * 0.5;
   for (std::int32_t y = 0; y < height_ * fineness_; ++y)
     for (std::int32_t x = 0; x < width_ * fineness_; ++x) {
       const Vec2d out = (middle_of(x, y) - middle) / middle;
       const double share = rim ? std::min(1.0, glm::dot(out, out) / 2) : 1.0;
-      at(x, y).colour = mix(at(x, y).colour, colour, amount * share);
+      at(x, y).color = mix(at(x, y).color, color, amount * share);
     }
 }
 
 void Canvas::shade(double by) {
-  for (Sample& sample : samples_) sample.colour = glm::min(sample.colour * by, Colour{1.0});
+  for (Sample& sample : samples_) sample.color = glm::min(sample.color * by, Color{1.0});
 }
 
 void Canvas::weather(double amount, double lump, std::uint64_t seed) {
   for (std::int32_t y = 0; y < height_ * fineness_; ++y)
     for (std::int32_t x = 0; x < width_ * fineness_; ++x) {
       const double by = 1 + 2 * amount * (noise(middle_of(x, y), lump, seed) - 0.5);
-      at(x, y).colour = glm::min(at(x, y).colour * by, Colour{1.0});
+      at(x, y).color = glm::min(at(x, y).color * by, Color{1.0});
     }
 }
 
@@ -190,14 +190,14 @@ Canvas::Sample Canvas::pixel(std::int32_t x, std::int32_t y) const {
       const Sample& sample =
           samples_[static_cast<std::size_t>(j) * static_cast<std::size_t>(width_ * fineness_) +
                    static_cast<std::size_t>(i)];
-      mean.colour += sample.colour * sample.cover;
+      mean.color += sample.color * sample.cover;
       mean.cover += sample.cover;
       seen += sample.cover > 0 ? 1 : 0;
       if (sample.ramp < 0) continue;
       ++bound;
       mean.ramp = sample.ramp;
     }
-  if (mean.cover > 0) mean.colour /= mean.cover;
+  if (mean.cover > 0) mean.color /= mean.cover;
   mean.cover /= fineness_ * fineness_;
   if (2 * bound <= seen) mean.ramp = -1;
   return mean;

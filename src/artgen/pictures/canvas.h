@@ -1,4 +1,4 @@
-// The painter's canvas: finer than the picture, in true colour with coverage; shrunk to the picture at the
+// The painter's canvas: finer than the picture, in true color with coverage; shrunk to the picture at the
 // end.
 #pragma once
 
@@ -8,20 +8,20 @@
 
 #include "artgen/palette.h"
 #include "artgen/pictures/outline.h"
-#include "formats/palette.h"
+#include "formats/images/palette.h"
 #include "math/vec.h"
 
 namespace temblor::artgen::pictures {
 
 // 0 to 1 each.
-using Colour = math::Vec3d;
+using Color = math::Vec3d;
 
 // A place along a ramp of the palette, from 0 (dark) to 1; more and less count as the ends.
 struct Tone {
-  Ramp ramp = Ramp::kGrey;
+  Ramp ramp = Ramp::kGray;
   double tone = 0.5;
 };
-Colour colour_of(const formats::Palette& palette, const Tone& tone);
+Color color_of(const formats::Palette& palette, const Tone& tone);
 
 // Moves, turns (clockwise) and scales what is drawn.
 struct Placement {
@@ -35,13 +35,13 @@ struct Placement {
 enum class Blend : std::uint8_t { kDown, kAcross, kOut };
 
 struct Ink {
-  Tone colour, to;  // blended over the shape
+  Tone color, to;  // blended over the shape
   Blend blend = Blend::kDown;
   double opacity = 1;
   // The edge stands out (or, below 0, lies back) over so many pixels, lit from above and the left.
   double raise = 0, light = 0.35;
   double grain = 0, lump = 4;  // how far tones wander, in lumps of so many pixels
-  std::optional<Tone> stain;   // spots of another colour
+  std::optional<Tone> stain;   // spots of another color
   double stained = 0.4, stain_lump = 6;
   std::optional<Tone> edge;  // a line around the shape
   double edge_width = 1;
@@ -50,7 +50,7 @@ struct Ink {
   double shadow = 0;        // so far to the right and down lies one
   double holes = 0;         // share of the shape that is not there, in lumps
   bool erases = false;      // nothing else than making it transparent
-  bool keeps_ramp = false;  // quantised to no other ramp than its colour's
+  bool keeps_ramp = false;  // quantized to no other ramp than its color's
   std::uint64_t seed = 1;
 };
 
@@ -63,7 +63,7 @@ class Canvas {
   std::int32_t height() const { return height_; }
 
   void paint(const Outline& outline, const Placement& placement, const Ink& ink);
-  // All that is painted, blended towards a colour by `amount`; with `rim`, only towards the borders.
+  // All that is painted, blended towards a color by `amount`; with `rim`, only towards the borders.
   void tint(const Tone& tone, double amount, bool rim);
   // Tones of all that is painted, times `by`.
   void shade(double by);
@@ -71,7 +71,7 @@ class Canvas {
   void weather(double amount, double lump, std::uint64_t seed);
 
   struct Sample {
-    Colour colour{0.0};
+    Color color{0.0};
     double cover = 0;
     std::int16_t ramp = -1;  // that it must stay in
   };
@@ -94,14 +94,14 @@ class Canvas {
   std::vector<Sample> samples_;
 };
 
-struct Quantising {
-  double dither = 0;               // of a colour step, from 0 to 1
+struct Quantizing {
+  double dither = 0;               // of a color step, from 0 to 1
   std::vector<Ramp> without = {};  // not used but where ink keeps its ramp
 };
 // Row by row; kTransparent where less than half of a pixel is covered.
-std::vector<std::uint8_t> quantise(const Canvas& canvas, const Quantising& how);
+std::vector<std::uint8_t> quantize(const Canvas& canvas, const Quantizing& how);
 
 // 0xAARRGGBB, row by row.
-std::vector<std::uint32_t> true_colour(const Canvas& canvas);
+std::vector<std::uint32_t> true_color(const Canvas& canvas);
 
 }  // namespace temblor::artgen::pictures

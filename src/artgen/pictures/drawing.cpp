@@ -22,17 +22,17 @@ Placement within(const Placement& outer, const Placement& inner) {
   return {outer.to_canvas(inner.at), outer.turn_deg + inner.turn_deg, outer.scale * inner.scale};
 }
 
-base::Status draw_shape(const RecipeLine& line, const Placement& placement, Canvas& io_canvas) {
+base::Status draw_shape(const ScriptLine& line, const Placement& placement, Canvas& io_canvas) {
   Arguments arguments(line);
   const Outline outline = read_outline(line.word, arguments, {io_canvas.width(), io_canvas.height()});
   const Ink ink = read_ink(arguments);
   TRY_STATUS(arguments.finish());
-  if (!line.below.empty()) return recipe_error(line.below.front(), "nothing stands below a shape");
+  if (!line.below.empty()) return script_error(line.below.front(), "nothing stands below a shape");
   io_canvas.paint(outline, placement, ink);
   return base::Ok{};
 }
 
-base::Status draw_words(const RecipeLine& line, const Glyphs& glyphs, const Placement& placement,
+base::Status draw_words(const ScriptLine& line, const Glyphs& glyphs, const Placement& placement,
                         Canvas& io_canvas) {
   Arguments arguments(line);
   const std::string text = arguments.text();
@@ -43,7 +43,7 @@ base::Status draw_words(const RecipeLine& line, const Glyphs& glyphs, const Plac
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto glyph = glyphs.find(static_cast<std::uint8_t>(text[i]));
     if (text[i] == ' ') continue;
-    if (glyph == glyphs.end()) return recipe_error(line, fmt::format("no glyph '{}' stands above", text[i]));
+    if (glyph == glyphs.end()) return script_error(line, fmt::format("no glyph '{}' stands above", text[i]));
     for (std::int32_t y = 0; y < kGlyphSide; ++y)
       for (std::int32_t x = 0; x < kGlyphSide; ++x) {
         const math::Vec2d dot = place + math::Vec2d{static_cast<double>(i) * kGlyphSide + x, y};
@@ -54,7 +54,7 @@ base::Status draw_words(const RecipeLine& line, const Glyphs& glyphs, const Plac
   return base::Ok{};
 }
 
-base::Status change_all(const RecipeLine& line, Canvas& io_canvas) {
+base::Status change_all(const ScriptLine& line, Canvas& io_canvas) {
   Arguments arguments(line);
   if (line.word == "shade") {
     const double by = arguments.number(0, 4);
@@ -66,7 +66,7 @@ base::Status change_all(const RecipeLine& line, Canvas& io_canvas) {
     TRY_STATUS(arguments.finish());
     io_canvas.weather(by, lump, static_cast<std::uint64_t>(seed));
   } else {
-    const Tone tone = read_tone(arguments, "colour", {Ramp::kGrey, 0});
+    const Tone tone = read_tone(arguments, "color", {Ramp::kGray, 0});
     const double by = arguments.number(0, 1);
     const bool rim = arguments.flag("rim");
     TRY_STATUS(arguments.finish());
@@ -75,15 +75,15 @@ base::Status change_all(const RecipeLine& line, Canvas& io_canvas) {
   return base::Ok{};
 }
 
-base::Status set_usual(const RecipeLine& line, Usual& io_usual) {
+base::Status set_usual(const ScriptLine& line, Usual& io_usual) {
   if (line.values.size() != 1 || !is_shape_word(line.values[0]))
-    return recipe_error(line, fmt::format("it is followed by one of {}", shape_words()));
+    return script_error(line, fmt::format("it is followed by one of {}", shape_words()));
   io_usual[line.values[0]] = line.settings;
   return base::Ok{};
 }
 
-RecipeLine with_usual(const RecipeLine& line, const Usual& usual) {
-  RecipeLine whole = line;
+ScriptLine with_usual(const ScriptLine& line, const Usual& usual) {
+  ScriptLine whole = line;
   const auto settings = usual.find(line.word);
   if (settings == usual.end()) return whole;
   for (const auto& setting : settings->second)
@@ -93,10 +93,10 @@ RecipeLine with_usual(const RecipeLine& line, const Usual& usual) {
   return whole;
 }
 
-base::Status draw_lines(std::span<const RecipeLine> lines, const Placement& placement, Usual usual,
+base::Status draw_lines(std::span<const ScriptLine> lines, const Placement& placement, Usual usual,
                         Canvas& io_canvas);
 
-base::Status draw_group(const RecipeLine& line, const Placement& placement, const Usual& usual,
+base::Status draw_group(const ScriptLine& line, const Placement& placement, const Usual& usual,
                         Canvas& io_canvas) {
   Arguments arguments(line);
   const Placement inner = read_placement(arguments);
@@ -104,10 +104,10 @@ base::Status draw_group(const RecipeLine& line, const Placement& placement, cons
   return draw_lines(line.below, within(placement, inner), usual, io_canvas);
 }
 
-base::Status draw_lines(std::span<const RecipeLine> lines, const Placement& placement, Usual usual,
+base::Status draw_lines(std::span<const ScriptLine> lines, const Placement& placement, Usual usual,
                         Canvas& io_canvas) {
   TRY(const Glyphs glyphs, read_glyphs(lines));
-  for (const RecipeLine& line : lines) {
+  for (const ScriptLine& line : lines) {
     if (line.word == "glyph") continue;
     if (line.word == "usual")
       TRY_STATUS(set_usual(line, usual));
@@ -120,7 +120,7 @@ base::Status draw_lines(std::span<const RecipeLine> lines, const Placement& plac
     else if (line.word == "tint" || line.word == "shade" || line.word == "weather")
       TRY_STATUS(change_all(line, io_canvas));
     else
-      return recipe_error(
+      return script_error(
           line,
           fmt::format("pictures know {}, group, usual, write, tint, shade, weather, glyph", shape_words()));
   }
@@ -129,7 +129,7 @@ base::Status draw_lines(std::span<const RecipeLine> lines, const Placement& plac
 
 }  // namespace
 
-base::Status draw(std::span<const RecipeLine> lines, const Placement& placement, Canvas& io_canvas) {
+base::Status draw(std::span<const ScriptLine> lines, const Placement& placement, Canvas& io_canvas) {
   return draw_lines(lines, placement, {}, io_canvas);
 }
 

@@ -8,7 +8,7 @@
 #include "artgen/pictures/glyphs.h"
 #include "artgen/pictures/picture_makers.h"
 #include "artgen/pictures/words.h"
-#include "formats/wad.h"
+#include "formats/archives/wad.h"
 
 namespace temblor::artgen {
 namespace {
@@ -44,28 +44,28 @@ void stamp(const Glyph& glyph, std::uint8_t code, const FontLook& look, base::By
       const double down = y / (kGlyphSide - 1.0);
       std::uint8_t index = 0;
       if (glyph.ink(x, y))
-        index = ramp_colour(ramp_of(code, look), look.top + (look.bottom - look.top) * down);
+        index = ramp_color(ramp_of(code, look), look.top + (look.bottom - look.top) * down);
       else if (glyph.ink(x - 1, y - 1) || (glyph.ink(x, y - 1) && !glyph.ink(x + 1, y - 1)) ||
                (glyph.ink(x - 1, y) && !glyph.ink(x - 1, y + 1)))
-        index = ramp_colour(Ramp::kGrey, kShadow);
+        index = ramp_color(Ramp::kGray, kShadow);
       pixel = static_cast<std::byte>(index);
     }
 }
 
 }  // namespace
 
-base::Result<std::vector<ArtPart>> make_font(const RecipeLine& thing) {
+base::Result<std::vector<ArtPart>> make_font(const ScriptLine& thing) {
   Arguments arguments(thing);
   const std::string name = arguments.text();
   FontLook look{};
-  look.first = read_ramp(arguments, arguments.text("first", "grey"));
+  look.first = read_ramp(arguments, arguments.text("first", "gray"));
   look.second = read_ramp(arguments, arguments.text("second", "gold"));
   look.marks = read_ramp(arguments, arguments.text("marks", "gold"));
   look.top = arguments.number("top", 1, 0, 1);
   look.bottom = arguments.number("bottom", 0.7, 0, 1);
   TRY_STATUS(arguments.finish());
-  for (const RecipeLine& line : thing.below)
-    if (line.word != "glyph") return recipe_error(line, "in a font there are only glyphs");
+  for (const ScriptLine& line : thing.below)
+    if (line.word != "glyph") return script_error(line, "in a font there are only glyphs");
   TRY(Glyphs glyphs, read_glyphs(thing.below));
   base::ByteVector sheet(static_cast<std::size_t>(kSheetSide * kSheetSide));
   for (int code = 0; code < 256; ++code) {

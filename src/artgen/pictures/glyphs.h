@@ -11,7 +11,7 @@
 #include <map>
 #include <span>
 
-#include "artgen/recipe.h"
+#include "artgen/scripts/script.h"
 #include "base/result.h"
 
 namespace temblor::artgen::pictures {
@@ -29,6 +29,6 @@ struct Glyph {
 using Glyphs = std::map<std::uint8_t, Glyph>;
 
 // Those among the lines; other lines are passed over.
-base::Result<Glyphs> read_glyphs(std::span<const RecipeLine> lines);
+base::Result<Glyphs> read_glyphs(std::span<const ScriptLine> lines);
 
 }  // namespace temblor::artgen::pictures

@@ -9,11 +9,11 @@
 #include "artgen/pictures/canvas.h"
 #include "artgen/pictures/drawing.h"
 #include "artgen/pictures/words.h"
-#include "formats/image.h"
-#include "formats/picture.h"
-#include "formats/png.h"
-#include "formats/spr.h"
-#include "formats/wad.h"
+#include "formats/archives/wad.h"
+#include "formats/images/image.h"
+#include "formats/images/picture.h"
+#include "formats/images/png.h"
+#include "formats/models/spr.h"
 
 namespace temblor::artgen {
 namespace {
@@ -30,12 +30,12 @@ std::int32_t fineness_for(std::int32_t width, std::int32_t height) {
 
 struct Sheet {
   std::int32_t width = 1, height = 1;
-  Quantising quantising;
+  Quantizing quantizing;
 };
 
 // dither=0.5 without=brown,gold
-Quantising read_quantising(Arguments& io_arguments) {
-  Quantising how;
+Quantizing read_quantizing(Arguments& io_arguments) {
+  Quantizing how;
   how.dither = io_arguments.number("dither", 0, 0, 2);
   std::string names = io_arguments.text("without", "");
   while (!names.empty()) {
@@ -48,18 +48,18 @@ Quantising read_quantising(Arguments& io_arguments) {
 
 Sheet read_sheet(Arguments& io_arguments) {
   const auto [width, height] = io_arguments.size(kLargest);
-  return {width, height, read_quantising(io_arguments)};
+  return {width, height, read_quantizing(io_arguments)};
 }
 
-base::Result<std::vector<std::uint8_t>> draw_pixels(std::span<const RecipeLine> lines, const Sheet& sheet) {
+base::Result<std::vector<std::uint8_t>> draw_pixels(std::span<const ScriptLine> lines, const Sheet& sheet) {
   Canvas canvas(sheet.width, sheet.height, fineness_for(sheet.width, sheet.height));
   TRY_STATUS(draw(lines, {}, canvas));
-  return quantise(canvas, sheet.quantising);
+  return quantize(canvas, sheet.quantizing);
 }
 
 enum class Place { kFile, kWad };
 
-base::Result<ArtPart> draw_picture(const std::string& name, std::span<const RecipeLine> lines,
+base::Result<ArtPart> draw_picture(const std::string& name, std::span<const ScriptLine> lines,
                                    const Sheet& sheet, Place place) {
   TRY(std::vector<std::uint8_t> pixels, draw_pixels(lines, sheet));
   base::ByteVector bytes = formats::write_picture(
@@ -68,7 +68,7 @@ base::Result<ArtPart> draw_picture(const std::string& name, std::span<const Reci
   return ArtPart{fmt::format("gfx/{}.lmp", name), std::move(bytes)};
 }
 
-base::Result<std::vector<ArtPart>> make_one(const RecipeLine& thing, Place place) {
+base::Result<std::vector<ArtPart>> make_one(const ScriptLine& thing, Place place) {
   Arguments arguments(thing);
   const std::string name = arguments.text();
   const Sheet sheet = read_sheet(arguments);
@@ -78,9 +78,9 @@ base::Result<std::vector<ArtPart>> make_one(const RecipeLine& thing, Place place
 }
 
 // A style's lines with its line `drawing` become the group of the drawing's.
-std::vector<RecipeLine> in_style(const std::vector<RecipeLine>& style, const RecipeLine& drawing) {
-  std::vector<RecipeLine> lines = style;
-  for (RecipeLine& line : lines) {
+std::vector<ScriptLine> in_style(const std::vector<ScriptLine>& style, const ScriptLine& drawing) {
+  std::vector<ScriptLine> lines = style;
+  for (ScriptLine& line : lines) {
     if (line.word == "drawing") {
       line.word = "group";
       line.below = drawing.below;
@@ -91,30 +91,30 @@ std::vector<RecipeLine> in_style(const std::vector<RecipeLine>& style, const Rec
   return lines;
 }
 
-base::Result<std::string> name_of(const RecipeLine& line) {
+base::Result<std::string> name_of(const ScriptLine& line) {
   Arguments arguments(line);
   std::string name = arguments.text();
   TRY_STATUS(arguments.finish());
   return name;
 }
 
-base::Result<std::vector<ArtPart>> make_set(const RecipeLine& thing, Place place) {
+base::Result<std::vector<ArtPart>> make_set(const ScriptLine& thing, Place place) {
   Arguments arguments(thing);
   const Sheet sheet = read_sheet(arguments);
   TRY_STATUS(arguments.finish());
-  std::vector<const RecipeLine*> styles, drawings;
-  for (const RecipeLine& line : thing.below) {
+  std::vector<const ScriptLine*> styles, drawings;
+  for (const ScriptLine& line : thing.below) {
     if (line.word != "style" && line.word != "drawing")
-      return recipe_error(line, "here stand only styles (style PREFIX) and drawings (drawing NAME)");
+      return script_error(line, "here stand only styles (style PREFIX) and drawings (drawing NAME)");
     (line.word == "style" ? styles : drawings).push_back(&line);
   }
-  if (styles.empty() || drawings.empty()) return recipe_error(thing, "it needs a style and a drawing");
+  if (styles.empty() || drawings.empty()) return script_error(thing, "it needs a style and a drawing");
   std::vector<ArtPart> parts;
-  for (const RecipeLine* style : styles)
-    for (const RecipeLine* drawing : drawings) {
+  for (const ScriptLine* style : styles)
+    for (const ScriptLine* drawing : drawings) {
       TRY(const std::string prefix, name_of(*style));
       TRY(const std::string name, name_of(*drawing));
-      const std::vector<RecipeLine> lines = in_style(style->below, *drawing);
+      const std::vector<ScriptLine> lines = in_style(style->below, *drawing);
       TRY(ArtPart part, draw_picture(prefix + name, lines, sheet, place));
       parts.push_back(std::move(part));
     }
@@ -131,23 +131,23 @@ formats::SprOrientation read_facing(Arguments& io_arguments) {
 
 }  // namespace
 
-base::Result<std::vector<ArtPart>> make_picture(const RecipeLine& thing) {
+base::Result<std::vector<ArtPart>> make_picture(const ScriptLine& thing) {
   return make_one(thing, Place::kFile);
 }
 
-base::Result<std::vector<ArtPart>> make_wad_picture(const RecipeLine& thing) {
+base::Result<std::vector<ArtPart>> make_wad_picture(const ScriptLine& thing) {
   return make_one(thing, Place::kWad);
 }
 
-base::Result<std::vector<ArtPart>> make_pictures(const RecipeLine& thing) {
+base::Result<std::vector<ArtPart>> make_pictures(const ScriptLine& thing) {
   return make_set(thing, Place::kFile);
 }
 
-base::Result<std::vector<ArtPart>> make_wad_pictures(const RecipeLine& thing) {
+base::Result<std::vector<ArtPart>> make_wad_pictures(const ScriptLine& thing) {
   return make_set(thing, Place::kWad);
 }
 
-base::Result<std::vector<ArtPart>> make_sprite(const RecipeLine& thing) {
+base::Result<std::vector<ArtPart>> make_sprite(const ScriptLine& thing) {
   Arguments arguments(thing);
   const std::string path = arguments.text();
   const Sheet sheet = read_sheet(arguments);
@@ -157,7 +157,7 @@ base::Result<std::vector<ArtPart>> make_sprite(const RecipeLine& thing) {
   sprite.max_width = static_cast<std::uint32_t>(sheet.width);
   sprite.max_height = static_cast<std::uint32_t>(sheet.height);
   sprite.bounding_radius = static_cast<float>(std::max(sheet.width, sheet.height)) * 0.71f;
-  for (const RecipeLine& line : thing.below) {
+  for (const ScriptLine& line : thing.below) {
     Arguments nothing(line);
     if (line.word != "frame") nothing.complain("in a sprite there are only frames");
     TRY_STATUS(nothing.finish());
@@ -165,11 +165,11 @@ base::Result<std::vector<ArtPart>> make_sprite(const RecipeLine& thing) {
     sprite.frames.push_back(
         {{{-sheet.width / 2, sheet.height / 2, sprite.max_width, sprite.max_height, std::move(texels)}}, {}});
   }
-  if (sprite.frames.empty()) return recipe_error(thing, "a sprite has a frame");
+  if (sprite.frames.empty()) return script_error(thing, "a sprite has a frame");
   return std::vector<ArtPart>{{path, formats::write_spr(sprite)}};
 }
 
-base::Result<std::vector<ArtPart>> make_icon(const RecipeLine& thing) {
+base::Result<std::vector<ArtPart>> make_icon(const ScriptLine& thing) {
   constexpr double kDrawnOn = 64;
   Arguments arguments(thing);
   const std::string name = arguments.text();
@@ -178,7 +178,7 @@ base::Result<std::vector<ArtPart>> make_icon(const RecipeLine& thing) {
   Canvas canvas(side, side, fineness_for(side, side));
   TRY_STATUS(draw(thing.below, {.at = {0, 0}, .turn_deg = 0, .scale = side / kDrawnOn}, canvas));
   const auto pixels = static_cast<std::uint32_t>(side);
-  TRY(base::ByteVector bytes, formats::write_png(formats::Image{pixels, pixels, true_colour(canvas)}));
+  TRY(base::ByteVector bytes, formats::write_png(formats::Image{pixels, pixels, true_color(canvas)}));
   return std::vector<ArtPart>{{fmt::format("icon/{}.png", name), std::move(bytes)}};
 }
 

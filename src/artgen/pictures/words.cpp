@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "artgen/models/values.h"
+#include "artgen/models/reading/values.h"
 #include "base/text.h"
 
 namespace temblor::artgen::pictures {
 namespace {
 
 constexpr std::array<std::string_view, 16> kRampNames = {
-    "grey", "brown",  "brick", "sand", "red",  "olive", "gold", "teal",
+    "gray", "brown",  "brick", "sand", "red",  "olive", "gold", "teal",
     "blue", "purple", "slate", "rust", "skin", "green", "fire", "electric"};
 
 std::optional<Tone> read_tone_if_there(Arguments& io_arguments, std::string_view name, const Tone& usual) {
@@ -45,7 +45,7 @@ Ramp read_ramp(Arguments& io_arguments, std::string_view name_of_ramp) {
     if (kRampNames[i] == name_of_ramp) return static_cast<Ramp>(i);
   io_arguments.complain(fmt::format("'{}' is none of the palette's ramps: {}", base::quotable(name_of_ramp),
                                     fmt::join(kRampNames, ", ")));
-  return Ramp::kGrey;
+  return Ramp::kGray;
 }
 
 Tone read_tone(Arguments& io_arguments, std::string_view name, Tone otherwise) {
@@ -66,8 +66,8 @@ Tone read_tone(Arguments& io_arguments, std::string_view name, Tone otherwise) {
 Ink read_ink(Arguments& io_arguments) {
   constexpr double kFarthest = 1000;
   Ink ink;
-  ink.colour = read_tone(io_arguments, "colour", {});
-  ink.to = read_tone(io_arguments, "to", ink.colour);
+  ink.color = read_tone(io_arguments, "color", {});
+  ink.to = read_tone(io_arguments, "to", ink.color);
   const std::string blend = io_arguments.text("blend", "down");
   if (blend == "across")
     ink.blend = Blend::kAcross;

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "artgen/pictures/canvas.h"
-#include "artgen/recipe.h"
+#include "artgen/scripts/script.h"
 #include "base/result.h"
 
 namespace temblor::artgen::pictures {
@@ -15,7 +15,7 @@ math::Vec2d read_point(Arguments& io_arguments, std::string_view name, math::Vec
 // "gold:0.7", or "gold" for its middle.
 Tone read_tone(Arguments& io_arguments, std::string_view name, Tone otherwise);
 Ramp read_ramp(Arguments& io_arguments, std::string_view name_of_ramp);
-// colour=gold:0.8 to=gold:0.4 raise=1.5 grain=0.1 stain=teal:0.5 edge=grey:0 glow=... and so on.
+// color=gold:0.8 to=gold:0.4 raise=1.5 grain=0.1 stain=teal:0.5 edge=gray:0 glow=... and so on.
 Ink read_ink(Arguments& io_arguments);
 Placement read_placement(Arguments& io_arguments);  // at=X,Y turn=DEG scale=N
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "artgen/recipe.h"
+#include "artgen/scripts/script.h"
 #include "base/text.h"
 
 namespace temblor::artgen {

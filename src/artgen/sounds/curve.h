@@ -1,4 +1,4 @@
-// Values that move while a sound lasts, as recipes write them:
+// Values that move while a sound lasts, as scripts write them:
 //
 //   440             all the time
 //   440..110        from the voice's beginning to its end
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "artgen/recipe.h"
+#include "artgen/scripts/script.h"
 #include "artgen/sounds/signal.h"
 
 namespace temblor::artgen {

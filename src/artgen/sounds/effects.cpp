@@ -12,7 +12,7 @@
 #include "artgen/sounds/filters.h"
 #include "artgen/sounds/materials.h"
 #include "artgen/sounds/reverb.h"
-#include "artgen/sounds/vowels.h"
+#include "artgen/sounds/synthesis/vowels.h"
 #include "base/text.h"
 
 namespace temblor::artgen {

@@ -1,4 +1,4 @@
-// What changes a signal: the words of a recipe that stand under a voice, or under a sound for all of it.
+// What changes a signal: the words of a script that stand under a voice, or under a sound for all of it.
 //
 //   lowpass 4000..200 q=2      highpass 90      bandpass 900 q=4      boost 2500 by=3 q=2
 //   vowel o..a size=1.5        a mouth in front of it
@@ -13,7 +13,7 @@
 #include <span>
 #include <string_view>
 
-#include "artgen/recipe.h"
+#include "artgen/scripts/script.h"
 #include "artgen/sounds/signal.h"
 
 namespace temblor::artgen {

@@ -7,12 +7,12 @@
 namespace temblor::artgen {
 namespace {
 
-constexpr double kHighestPart = 0.47;  // of the rate
+constexpr double kMaxPart = 0.47;  // of the rate
 
 }  // namespace
 
 void StateFilter::set(double frequency, double q, double rate) {
-  g_ = std::tan(std::numbers::pi * std::min(frequency / rate, kHighestPart));
+  g_ = std::tan(std::numbers::pi * std::min(frequency / rate, kMaxPart));
   damping_ = 1 / q;
   scale_ = 1 / (1 + g_ * (g_ + damping_));
 }
@@ -27,7 +27,7 @@ StateFilter::Bands StateFilter::step(double sample) {
 }
 
 void Smoother::set(double frequency, double rate) {
-  part_ = 1 - std::exp(-2 * std::numbers::pi * std::min(frequency / rate, kHighestPart));
+  part_ = 1 - std::exp(-2 * std::numbers::pi * std::min(frequency / rate, kMaxPart));
 }
 
 }  // namespace temblor::artgen

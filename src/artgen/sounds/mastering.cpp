@@ -88,12 +88,12 @@ void remove_rumble_around(Signal& io_signal, double rate) {
 }
 
 void bring_to_level(std::span<Signal> io_channels, double db, double rate) {
-  constexpr double kMostBent = 4;  // 12 dB: a harder sound than that is a distorted one
+  constexpr double kMaxBent = 4;  // 12 dB: a harder sound than that is a distorted one
   double peak = 0;
   for (const Signal& channel : io_channels)
     for (const double sample : channel) peak = std::max(peak, std::abs(sample));
   if (peak == 0) return;
-  const double wanted = std::pow(10.0, db / 20), most = kMostBent * kPeak / peak;
+  const double wanted = std::pow(10.0, db / 20), most = kMaxBent * kPeak / peak;
   double gain = 0.1 / peak;
   constexpr int kRounds = 8;
   for (int round = 0; round < kRounds; ++round) {

@@ -10,7 +10,7 @@
 
 namespace temblor::artgen {
 
-using Signal = std::vector<double>;  // around -1 to 1; what comes out of a recipe is brought to level last
+using Signal = std::vector<double>;  // around -1 to 1; what comes out of a script is brought to level last
 
 // Samples are made at this rate, and files of half that rate are made from it.
 constexpr double kSynthesisRate = 44100;

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "artgen/sounds/mastering.h"
-#include "artgen/sounds/patch.h"
+#include "artgen/sounds/music/patch.h"
 #include "artgen/sounds/signal.h"
 #include "base/text.h"
-#include "formats/wav.h"
+#include "formats/sounds/wav.h"
 
 namespace temblor::artgen {
 namespace {
@@ -37,7 +37,7 @@ bool is_sound_name(std::string_view name) {
   return slash != std::string_view::npos && is_part(name.substr(0, slash)) && is_part(name.substr(slash + 1));
 }
 
-base::Result<SoundPlan> read_plan(const RecipeLine& thing) {
+base::Result<SoundPlan> read_plan(const ScriptLine& thing) {
   Arguments arguments(thing);
   SoundPlan plan;
   plan.name = arguments.text();
@@ -67,9 +67,9 @@ std::size_t even_frames(double seconds) {
   return frames_in(seconds, kSynthesisRate) / 2 * 2;
 }
 
-// A loop needs something before its start to blend its end into. Where the recipe has too little, the sound
+// A loop needs something before its start to blend its end into. Where the script has too little, the sound
 // is made with that much in front, which is cut away.
-base::Result<formats::Wav> make_wav(const RecipeLine& thing, const SoundPlan& plan) {
+base::Result<formats::Wav> make_wav(const ScriptLine& thing, const SoundPlan& plan) {
   const std::size_t blend = plan.loop_s ? even_frames(plan.blend_s) : 0;
   const std::size_t loop = plan.loop_s ? even_frames(*plan.loop_s) : 0;
   const std::size_t front = loop < blend ? blend : 0;
@@ -102,7 +102,7 @@ base::Result<formats::Wav> make_wav(const RecipeLine& thing, const SoundPlan& pl
 
 }  // namespace
 
-base::Result<std::vector<ArtPart>> make_sound_file(const RecipeLine& thing) {
+base::Result<std::vector<ArtPart>> make_sound_file(const ScriptLine& thing) {
   TRY(const SoundPlan plan, read_plan(thing));
   TRY(const formats::Wav wav, make_wav(thing, plan));
   std::vector<ArtPart> parts;

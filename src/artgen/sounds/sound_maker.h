@@ -16,6 +16,6 @@
 
 namespace temblor::artgen {
 
-base::Result<std::vector<ArtPart>> make_sound_file(const RecipeLine& thing);
+base::Result<std::vector<ArtPart>> make_sound_file(const ScriptLine& thing);
 
 }  // namespace temblor::artgen

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "artgen/noise.h"
+#include "artgen/scripts/noise.h"
 #include "artgen/textures/layer.h"
 #include "artgen/textures/letters.h"
 #include "base/text.h"
@@ -128,7 +128,7 @@ Cover cover_dots(Layer& layer, const Surface& surface) {
   });
 }
 
-// text "TO THE PIT" at=4,20 scale=2: letters 5 x 7, a column between; centred without `at`.
+// text "TO THE PIT" at=4,20 scale=2: letters 5 x 7, a column between; centered without `at`.
 Cover cover_text(Layer& layer, const Surface& surface) {
   const std::string text = layer.arguments.text();
   const std::int32_t scale = layer.arguments.integer("scale", 1, 1, 16);

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "artgen/noise.h"
+#include "artgen/scripts/noise.h"
 #include "artgen/textures/layer.h"
 #include "artgen/textures/soften.h"
 

@@ -17,7 +17,7 @@ namespace temblor::artgen {
 namespace {
 
 constexpr std::array<std::string_view, 16> kRampNames = {
-    "grey", "brown",  "brick", "sand", "red",  "olive", "gold", "teal",
+    "gray", "brown",  "brick", "sand", "red",  "olive", "gold", "teal",
     "blue", "purple", "slate", "rust", "skin", "green", "fire", "electric"};
 
 std::string no_such_ramp(std::string_view name) {
@@ -84,7 +84,7 @@ void lay(const Cover& cover, const ShapeSettings& settings, std::uint64_t seed, 
   }
 }
 
-void set_colour(const ShapeSettings& settings, Surface& io_surface) {
+void set_color(const ShapeSettings& settings, Surface& io_surface) {
   for (Texel& texel : io_surface.cells) {
     if (settings.ramp) texel.ramp = *settings.ramp;
     if (settings.tone) texel.tone = *settings.tone;
@@ -92,7 +92,7 @@ void set_colour(const ShapeSettings& settings, Surface& io_surface) {
   }
 }
 
-base::Status paint_shape(const ShapeWord& word, const RecipeLine& line, std::uint64_t seed,
+base::Status paint_shape(const ShapeWord& word, const ScriptLine& line, std::uint64_t seed,
                          Surface& io_surface) {
   Arguments arguments(line);
   Layer layer{arguments, seed};
@@ -100,14 +100,14 @@ base::Status paint_shape(const ShapeWord& word, const RecipeLine& line, std::uin
   const ShapeSettings settings = shape_settings(arguments);
   TRY_STATUS(arguments.finish());
   Surface painted = io_surface;
-  set_colour(settings, painted);
+  set_color(settings, painted);
   TRY_STATUS(paint_layers(line.below, seed, painted));
   lay(cover, settings, seed, painted, io_surface);
   return base::Ok{};
 }
 
 // A picture of its own, which repeats by itself, let into the surface.
-base::Status paint_inlay(const RecipeLine& line, std::uint64_t seed, Surface& io_surface) {
+base::Status paint_inlay(const ScriptLine& line, std::uint64_t seed, Surface& io_surface) {
   Arguments arguments(line);
   const Point at = point(arguments, "at", {});
   const Point size = extent(arguments, "size", {16, 16});
@@ -119,7 +119,7 @@ base::Status paint_inlay(const RecipeLine& line, std::uint64_t seed, Surface& io
         fmt::format("size={}x{} is not inside {}x{}", width, height, io_surface.width, io_surface.height));
   TRY_STATUS(arguments.finish());
   Surface inlay(width, height);
-  set_colour(settings, inlay);
+  set_color(settings, inlay);
   TRY_STATUS(paint_layers(line.below, seed, inlay));
   for (std::int32_t y = 0; y < height; ++y)
     for (std::int32_t x = 0; x < width; ++x) {
@@ -141,15 +141,15 @@ const Word* find_word(std::span<const std::span<const Word>> tables, std::string
   return nullptr;
 }
 
-base::Status paint_layer(const RecipeLine& line, std::uint64_t seed, Surface& io_surface) {
+base::Status paint_layer(const ScriptLine& line, std::uint64_t seed, Surface& io_surface) {
   if (line.word == "inlay") return paint_inlay(line, seed, io_surface);
   const std::array shapes = {drawn_words(), grown_words()};
   if (const ShapeWord* shape = find_word<ShapeWord>(shapes, line.word))
     return paint_shape(*shape, line, seed, io_surface);
   const std::array layers = {material_words(), structure_words(), relief_words()};
   const LayerWord* layer_word = find_word<LayerWord>(layers, line.word);
-  if (layer_word == nullptr) return recipe_error(line, "there is no such layer of a texture");
-  if (!line.below.empty()) return recipe_error(line.below.front(), "no layer can stand under this one");
+  if (layer_word == nullptr) return script_error(line, "there is no such layer of a texture");
+  if (!line.below.empty()) return script_error(line.below.front(), "no layer can stand under this one");
   Arguments arguments(line);
   Layer layer{arguments, seed};
   layer_word->paint(layer, io_surface);
@@ -160,9 +160,9 @@ base::Status paint_layer(const RecipeLine& line, std::uint64_t seed, Surface& io
 
 // A layer's seed comes from its word and how many such words were before it, so that a line more does not
 // change what the others look like.
-base::Status paint_layers(std::span<const RecipeLine> lines, std::uint64_t seed, Surface& io_surface) {
+base::Status paint_layers(std::span<const ScriptLine> lines, std::uint64_t seed, Surface& io_surface) {
   std::map<std::string_view, std::uint64_t> count_of_word;
-  for (const RecipeLine& line : lines) {
+  for (const ScriptLine& line : lines) {
     const std::uint64_t word = base::hash_of_bytes(base::as_bytes(line.word));
     TRY_STATUS(paint_layer(line, base::hash_with(base::hash_with(seed, word), count_of_word[line.word]++),
                            io_surface));

@@ -1,13 +1,13 @@
-// A layer of a texture's recipe: a line under `texture`. There are two kinds.
+// A layer of a texture's script: a line under `texture`. There are two kinds.
 //
 // A layer word changes every texel:  noise by=0.2 lump=16
-// A shape word covers some of them, and what is painted there is said by the colour behind it, by its
+// A shape word covers some of them, and what is painted there is said by the color behind it, by its
 // settings and by the layers indented under it, which then are seen only there:
 //   disc gold 0.7 at=32,32 radius=10 raise=2
 //     noise by=0.1
 //
 // Every shape word knows
-//   RAMP TONE    by place: the colour, or of the ramp alone, which keeps the tones
+//   RAMP TONE    by place: the color, or of the ramp alone, which keeps the tones
 //   shade=BY over=TEXELS        adds to the tone, less so within so many texels of the edge (1)
 //   ragged=TEXELS               within so many texels of the edge, covers by chance only
 //   raise=TEXELS bevel=TEXELS   stands out (or lies deeper), reaching that so far from its edge
@@ -21,8 +21,8 @@
 #include <utility>
 #include <vector>
 
-#include "artgen/noise.h"
-#include "artgen/recipe.h"
+#include "artgen/scripts/noise.h"
+#include "artgen/scripts/script.h"
 #include "artgen/textures/surface.h"
 #include "base/result.h"
 
@@ -50,8 +50,8 @@ std::span<const LayerWord> relief_words();     // relief.cpp
 std::span<const ShapeWord> drawn_words();      // drawn_shapes.cpp
 std::span<const ShapeWord> grown_words();      // grown_shapes.cpp
 
-// Paints lines of a recipe, in their order. `seed` decides all that looks random.
-base::Status paint_layers(std::span<const RecipeLine> lines, std::uint64_t seed, Surface& io_surface);
+// Paints lines of a script, in their order. `seed` decides all that looks random.
+base::Status paint_layers(std::span<const ScriptLine> lines, std::uint64_t seed, Surface& io_surface);
 
 // For settings of layers.
 struct Point {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "artgen/noise.h"
+#include "artgen/scripts/noise.h"
 #include "artgen/textures/layer.h"
 
 namespace temblor::artgen {
@@ -28,7 +28,7 @@ void paint_fill(Layer& layer, Surface& io_surface) {
   if (!ramp) layer.arguments.complain("a fill needs a ramp of the palette and a tone: fill slate 0.4");
   const double tone = layer.arguments.number(0, 1);
   for (Texel& texel : io_surface.cells) {
-    texel.ramp = ramp.value_or(Ramp::kGrey);
+    texel.ramp = ramp.value_or(Ramp::kGray);
     texel.tone = tone;
     texel.hole = false;
   }
@@ -58,7 +58,7 @@ void paint_speckle(Layer& layer, Surface& io_surface) {
         io_surface.at(x, y).tone += by * (2 * hash_noise(x, y, layer.seed + 1) - 1);
 }
 
-// grain by=0.1 lump=3x48 bend=2: fibres of wood, other ones in each board, bent by so many texels.
+// grain by=0.1 lump=3x48 bend=2: fibers of wood, other ones in each board, bent by so many texels.
 void paint_grain(Layer& layer, Surface& io_surface) {
   const double by = layer.arguments.number("by", 0.1, -1, 1);
   const double bend = layer.arguments.number("bend", 2, 0, 16);

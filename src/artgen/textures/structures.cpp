@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "artgen/noise.h"
+#include "artgen/scripts/noise.h"
 #include "artgen/textures/layer.h"
 
 namespace temblor::artgen {

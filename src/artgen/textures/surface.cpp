@@ -10,7 +10,7 @@ std::vector<std::uint8_t> indices_of(const Surface& surface) {
   std::vector<std::uint8_t> indices;
   indices.reserve(surface.cells.size());
   for (const Texel& texel : surface.cells)
-    indices.push_back(texel.hole ? kTransparent : ramp_colour(texel.ramp, texel.tone));
+    indices.push_back(texel.hole ? kTransparent : ramp_color(texel.ramp, texel.tone));
   return indices;
 }
 

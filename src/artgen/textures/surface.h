@@ -1,4 +1,4 @@
-// What a texture is while it is painted: for each texel its colour, how far it stands out, and which piece of
+// What a texture is while it is painted: for each texel its color, how far it stands out, and which piece of
 // the wall (a brick, a board) it belongs to. Sides wrap: what leaves at the right comes in at the left.
 #pragma once
 
@@ -32,7 +32,7 @@ struct Grid {
 };
 
 struct Texel {
-  Ramp ramp = Ramp::kGrey;
+  Ramp ramp = Ramp::kGray;
   double tone = 0.5;  // along the ramp, 0 dark to 1 bright; outside counts as the nearest
   double height = 0;  // texels towards the eye
   bool hole = false;  // transparent

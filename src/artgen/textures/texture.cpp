@@ -10,21 +10,21 @@
 #include "artgen/textures/layer.h"
 #include "base/bytes.h"
 #include "base/hash.h"
-#include "formats/build_mips.h"
-#include "formats/wad.h"
-#include "formats/wad_texture.h"
+#include "formats/archives/wad.h"
+#include "formats/images/build_mips.h"
+#include "formats/images/wad_texture.h"
 
 namespace temblor::artgen {
 namespace {
 
 constexpr std::string_view kWad = "textures.wad";
 constexpr std::size_t kNameChars = 15;  // what a level has room for
-constexpr std::int32_t kLongestSide = 256;
+constexpr std::int32_t kMaxSide = 256;
 constexpr std::int32_t kSideMultiple = 16;
 
-const formats::MipColours& mip_colours() {
-  static const formats::MipColours colours(make_palette());
-  return colours;
+const formats::MipColors& mip_colors() {
+  static const formats::MipColors colors(make_palette());
+  return colors;
 }
 
 struct Head {
@@ -34,11 +34,11 @@ struct Head {
   std::uint64_t seed = 0;
 };
 
-base::Result<Head> read_head(const RecipeLine& thing, std::int32_t usual_frames, std::int32_t most_frames) {
+base::Result<Head> read_head(const ScriptLine& thing, std::int32_t usual_frames, std::int32_t most_frames) {
   Arguments arguments(thing);
   Head head;
   head.name = arguments.text();
-  std::tie(head.width, head.height) = arguments.size(kLongestSide);
+  std::tie(head.width, head.height) = arguments.size(kMaxSide);
   if (head.width % kSideMultiple != 0 || head.height % kSideMultiple != 0)
     arguments.complain(
         fmt::format("{}x{}: sides are multiples of {}", head.width, head.height, kSideMultiple));
@@ -52,7 +52,7 @@ base::Result<Head> read_head(const RecipeLine& thing, std::int32_t usual_frames,
 }
 
 base::Result<ArtPart> make_part(const Head& head, const std::string& name,
-                                std::span<const RecipeLine> layers) {
+                                std::span<const ScriptLine> layers) {
   Surface surface(head.width, head.height);
   const bool has_holes = name.starts_with('{');
   for (Texel& texel : surface.cells) texel.hole = has_holes;
@@ -60,7 +60,7 @@ base::Result<ArtPart> make_part(const Head& head, const std::string& name,
   formats::WadTexture texture{
       name, static_cast<std::uint32_t>(head.width), static_cast<std::uint32_t>(head.height),
       formats::build_mips(indices_of(surface), static_cast<std::uint32_t>(head.width),
-                          static_cast<std::uint32_t>(head.height), has_holes, mip_colours())};
+                          static_cast<std::uint32_t>(head.height), has_holes, mip_colors())};
   TRY(base::ByteVector bytes, formats::write_wad_texture(texture));
   return ArtPart{std::string(kWad), std::move(bytes), name, formats::kWadTexture};
 }
@@ -78,9 +78,9 @@ std::string value_in_frame(std::string_view value, std::int32_t frame) {
   return std::string(values[static_cast<std::size_t>(frame) % values.size()]);
 }
 
-std::vector<RecipeLine> lines_in_frame(std::span<const RecipeLine> lines, std::int32_t frame) {
-  std::vector<RecipeLine> frame_lines(lines.begin(), lines.end());
-  for (RecipeLine& line : frame_lines) {
+std::vector<ScriptLine> lines_in_frame(std::span<const ScriptLine> lines, std::int32_t frame) {
+  std::vector<ScriptLine> frame_lines(lines.begin(), lines.end());
+  for (ScriptLine& line : frame_lines) {
     for (std::string& value : line.values) value = value_in_frame(value, frame);
     for (auto& [name, value] : line.settings) value = value_in_frame(value, frame);
     line.below = lines_in_frame(line.below, frame);
@@ -90,7 +90,7 @@ std::vector<RecipeLine> lines_in_frame(std::span<const RecipeLine> lines, std::i
 
 }  // namespace
 
-base::Result<std::vector<ArtPart>> make_texture(const RecipeLine& thing) {
+base::Result<std::vector<ArtPart>> make_texture(const ScriptLine& thing) {
   TRY(const Head head, read_head(thing, 1, 1));
   TRY(ArtPart part, make_part(head, head.name, thing.below));
   std::vector<ArtPart> parts;
@@ -98,24 +98,24 @@ base::Result<std::vector<ArtPart>> make_texture(const RecipeLine& thing) {
   return parts;
 }
 
-base::Result<std::vector<ArtPart>> make_animation(const RecipeLine& thing) {
+base::Result<std::vector<ArtPart>> make_animation(const ScriptLine& thing) {
   TRY(const Head head, read_head(thing, 4, 10));
   std::vector<ArtPart> parts;
   for (std::int32_t frame = 0; frame < head.frames; ++frame) {
-    const std::vector<RecipeLine> lines = lines_in_frame(thing.below, frame);
+    const std::vector<ScriptLine> lines = lines_in_frame(thing.below, frame);
     TRY(ArtPart part, make_part(head, fmt::format("+{}{}", frame, head.name), lines));
     parts.push_back(std::move(part));
   }
   return parts;
 }
 
-base::Result<std::vector<ArtPart>> make_switch(const RecipeLine& thing) {
+base::Result<std::vector<ArtPart>> make_switch(const ScriptLine& thing) {
   TRY(const Head head, read_head(thing, 1, 5));
   std::vector<ArtPart> parts;
   for (std::int32_t frame = 0; frame < 2 * head.frames; ++frame) {
     const bool is_pressed = frame >= head.frames;
     const std::string mark(1, static_cast<char>((is_pressed ? 'a' : '0') + frame % head.frames));
-    const std::vector<RecipeLine> lines = lines_in_frame(thing.below, frame);
+    const std::vector<ScriptLine> lines = lines_in_frame(thing.below, frame);
     TRY(ArtPart part, make_part(head, fmt::format("+{}{}", mark, head.name), lines));
     parts.push_back(std::move(part));
   }

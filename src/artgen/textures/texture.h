@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "artgen/art.h"
-#include "artgen/recipe.h"
+#include "artgen/scripts/script.h"
 #include "base/result.h"
 
 namespace temblor::artgen {
 
-base::Result<std::vector<ArtPart>> make_texture(const RecipeLine& thing);
-base::Result<std::vector<ArtPart>> make_animation(const RecipeLine& thing);
-base::Result<std::vector<ArtPart>> make_switch(const RecipeLine& thing);
+base::Result<std::vector<ArtPart>> make_texture(const ScriptLine& thing);
+base::Result<std::vector<ArtPart>> make_animation(const ScriptLine& thing);
+base::Result<std::vector<ArtPart>> make_switch(const ScriptLine& thing);
 
 }  // namespace temblor::artgen

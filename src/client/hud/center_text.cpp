@@ -41,8 +41,8 @@ void draw_center_text(const Panel& panel, std::string_view text, std::size_t let
 }
 
 std::size_t letters_written(double seconds) {
-  constexpr double kLettersASecond = 8, kMostSeconds = 1e6;
-  return static_cast<std::size_t>(std::clamp(seconds, 0.0, kMostSeconds) * kLettersASecond);
+  constexpr double kLettersASecond = 8, kMaxSeconds = 1e6;
+  return static_cast<std::size_t>(std::clamp(seconds, 0.0, kMaxSeconds) * kLettersASecond);
 }
 
 }  // namespace temblor::client

@@ -11,7 +11,7 @@ enum class Crosshair { kNone, kCharacter, kDot, kLines };
 
 struct CrosshairLook {
   Crosshair shape = Crosshair::kNone;
-  std::uint8_t colour = 15;  // index into the palette, of dot and lines
+  std::uint8_t color = 15;  // index into the palette, of dot and lines
 };
 
 void draw_crosshair(const Panel& panel, const CrosshairLook& look);

@@ -1,8 +1,8 @@
 // What stands over the view when a level has ended.
 #pragma once
 
-#include "client/client_state.h"
 #include "client/hud/panel.h"
+#include "client/session/client_state.h"
 
 namespace temblor::client {
 

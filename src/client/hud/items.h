@@ -1,9 +1,9 @@
-// What net::ClientData::items says that the player has; power-ups are in client/powerups.h.
+// What net::ClientData::items says that the player has; power-ups are in client/session/powerups.h.
 #pragma once
 
 #include <cstdint>
 
-#include "client/powerups.h"
+#include "client/session/powerups.h"
 
 namespace temblor::client {
 

@@ -72,7 +72,7 @@ void Panel::fill(int x, int y, int width, int height, std::uint8_t index, float 
 }
 
 void Panel::character(std::uint8_t character, int x, int y) const {
-  constexpr int kShape = 127;  // the upper half is the lower one in another colour
+  constexpr int kShape = 127;  // the upper half is the lower one in another color
   if ((character & kShape) == ' ') return;
   list_->commands.push_back({.picture = &pictures_->characters(),
                              .area = {left_px_ + x * scale_, top_px_ + y * scale_, kCharacterSide * scale_,

@@ -37,7 +37,7 @@ class Panel {
   Panel in_middle(int height) const { return with_top((frame_height_ - height * scale_) / 2); }
   Panel with_top(int top_px) const;
   Panel at(int left_px, int top_px) const;
-  Panel centred() const {
+  Panel centered() const {
     return at(frame_width_ / 2, frame_height_ / 2);
   }                               // its corner in the frame's middle
   Panel in_frame_pixels() const;  // the same corner, a scale of 1
@@ -51,7 +51,7 @@ class Panel {
   void character(std::uint8_t character, int x, int y) const;
   void text(std::string_view text, int x, int y) const;
   // `digits` large digits, 24 apart, right-aligned; what has more is shown as the largest that fits, or the
-  // smallest. `alarm`: in the colour that warns.
+  // smallest. `alarm`: in the color that warns.
   void number(int value, int digits, bool alarm, int x, int y) const;
 
  private:

@@ -42,9 +42,9 @@ bool is_viewer(const Game& game, std::size_t player) {
 }
 
 // A row of the palette in a middle shade.
-std::uint8_t shade_of(std::uint8_t colour) {
+std::uint8_t shade_of(std::uint8_t color) {
   constexpr int kRow = 16, kMiddle = 8;
-  return static_cast<std::uint8_t>((colour & 15) * kRow + kMiddle);
+  return static_cast<std::uint8_t>((color & 15) * kRow + kMiddle);
 }
 
 struct ScoreBox {
@@ -103,7 +103,7 @@ void draw_shortened(const Panel& bar, std::string_view text, std::size_t most_ch
 
 void draw_level_scores(const Panel& bar, const Game& game, double time_s, float opacity) {
   constexpr int kTimeX = 184, kNameMiddleX = 232;
-  constexpr std::size_t kMostNameChars = 20;  // up to the counts on the left
+  constexpr std::size_t kMaxNameChars = 20;  // up to the counts on the left
   bar.picture("scorebar", 0, 0, opacity);
   if (game.deathmatch) {
     draw_standing(bar, game);
@@ -113,7 +113,7 @@ void draw_level_scores(const Panel& bar, const Game& game, double time_s, float 
   }
   const int seconds = static_cast<int>(std::clamp(time_s, 0.0, 59999.0));
   bar.text(fmt::format("Time :{:3}:{:02}", seconds / 60, seconds % 60), kTimeX, kUpperY);
-  draw_shortened(bar, game.level_name, kMostNameChars, kNameMiddleX, kLowerY);
+  draw_shortened(bar, game.level_name, kMaxNameChars, kNameMiddleX, kLowerY);
 }
 
 void draw_leaders(const Panel& inventory, const Game& game) {

@@ -1,8 +1,8 @@
 // Scores: what the level still holds, and who leads a deathmatch.
 #pragma once
 
-#include "client/client_state.h"
 #include "client/hud/panel.h"
+#include "client/session/client_state.h"
 
 namespace temblor::client {
 

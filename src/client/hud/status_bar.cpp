@@ -15,8 +15,8 @@ namespace {
 // Numbers at or below these warn.
 constexpr int kLowHealth = 25, kLowArmor = 25, kLowAmmo = 10;
 constexpr int kBarDigits = 3;
-constexpr std::uint8_t kMarkColour = 15, kMarkEdge = 0;  // of the palette: white, black
-// What the armour shows of the invulnerable.
+constexpr std::uint8_t kMarkColor = 15, kMarkEdge = 0;  // of the palette: white, black
+// What the armor shows of the invulnerable.
 constexpr int kInvulnerableArmor = 666;
 
 bool has(const Game& game, std::uint32_t items) {
@@ -29,20 +29,20 @@ void draw_number(const Panel& bar, int value, int lowest_good, int x, bool marks
   bar.number(value, kBarDigits, warns, x, 0);
   if (!warns || !marks_warning) return;
   constexpr int kStrokeX = 10, kStroke = 4;
-  bar.fill(x + kStrokeX, 3, kStroke, 11, kMarkColour);
-  bar.fill(x + kStrokeX, 17, kStroke, kStroke, kMarkColour);
+  bar.fill(x + kStrokeX, 3, kStroke, 11, kMarkColor);
+  bar.fill(x + kStrokeX, 17, kStroke, kStroke, kMarkColor);
 }
 
-// As many squares as the armour is good.
+// As many squares as the armor is good.
 void draw_armor_marks(const Panel& bar, int kind, int icon_x) {
   constexpr int kApart = 7, kSide = 4, kY = 19;
   for (int i = 0; i < kind; ++i) {
     bar.fill(icon_x + 2 + i * kApart - 1, kY - 1, kSide + 2, kSide + 2, kMarkEdge);
-    bar.fill(icon_x + 2 + i * kApart, kY, kSide, kSide, kMarkColour);
+    bar.fill(icon_x + 2 + i * kApart, kY, kSide, kSide, kMarkColor);
   }
 }
 
-void draw_armor(const Panel& bar, const Game& game, bool safe_colours) {
+void draw_armor(const Panel& bar, const Game& game, bool safe_colors) {
   constexpr int kIconX = 0, kNumberX = 24;
   if (has(game, kItemInvulnerability)) {
     bar.number(kInvulnerableArmor, kBarDigits, true, kNumberX, 0);
@@ -50,11 +50,11 @@ void draw_armor(const Panel& bar, const Game& game, bool safe_colours) {
     return;
   }
   const int armor = game.stat(Stat::kArmor);
-  draw_number(bar, armor, kLowArmor, kNumberX, safe_colours);
+  draw_number(bar, armor, kLowArmor, kNumberX, safe_colors);
   const int kind = has(game, kItemArmor3) ? 3 : has(game, kItemArmor2) ? 2 : has(game, kItemArmor1) ? 1 : 0;
   if (kind == 0) return;
   bar.picture(fmt::format("sb_armor{}", kind), kIconX, 0);
-  if (safe_colours) draw_armor_marks(bar, kind, kIconX);
+  if (safe_colors) draw_armor_marks(bar, kind, kIconX);
 }
 
 // "face1" is that of full health, "face5" that of none; "face_p1" the same in pain.
@@ -68,7 +68,7 @@ std::string face_of(const Game& game, bool in_pain) {
   return fmt::format("{}{}", in_pain ? "face_p" : "face", kFaces - fitness);
 }
 
-void draw_ammo(const Panel& bar, const Game& game, bool safe_colours) {
+void draw_ammo(const Panel& bar, const Game& game, bool safe_colors) {
   constexpr int kIconX = 224, kNumberX = 248;
   if (has(game, kItemShells))
     bar.picture("sb_shells", kIconX, 0);
@@ -78,7 +78,7 @@ void draw_ammo(const Panel& bar, const Game& game, bool safe_colours) {
     bar.picture("sb_rocket", kIconX, 0);
   else if (has(game, kItemCells))
     bar.picture("sb_cells", kIconX, 0);
-  draw_number(bar, game.stat(Stat::kAmmo), kLowAmmo, kNumberX, safe_colours);
+  draw_number(bar, game.stat(Stat::kAmmo), kLowAmmo, kNumberX, safe_colors);
 }
 
 // For a second after it was found a weapon goes through five bright pictures, ten a second.
@@ -120,7 +120,7 @@ void draw_ammo_counts(const Panel& inventory, const Game& game) {
   }
 }
 
-void draw_finds(const Panel& inventory, const Game& game, bool safe_colours) {
+void draw_finds(const Panel& inventory, const Game& game, bool safe_colors) {
   struct Find {
     std::uint32_t item;
     const char* picture;
@@ -134,7 +134,7 @@ void draw_finds(const Panel& inventory, const Game& game, bool safe_colours) {
   constexpr int kY = 8;
   for (const Find& find : kFinds)
     if (has(game, find.item)) inventory.picture(find.picture, find.x, kY);
-  if (!safe_colours) return;
+  if (!safe_colors) return;
   constexpr int kInKey = 4;  // a letter in the middle of the picture: silver, gold
   if (has(game, kItemKey1)) inventory.character('S', kFinds[0].x + kInKey, kY + kInKey);
   if (has(game, kItemKey2)) inventory.character('G', kFinds[1].x + kInKey, kY + kInKey);
@@ -145,10 +145,10 @@ void draw_finds(const Panel& inventory, const Game& game, bool safe_colours) {
 void draw_status_bar(const Panel& bar, const Game& game, const HudTimes& times, double time_s, BarLook look) {
   constexpr int kFaceX = 112, kHealthX = 136;
   bar.picture("sbar", 0, 0, look.opacity);
-  draw_armor(bar, game, look.safe_colours);
+  draw_armor(bar, game, look.safe_colors);
   bar.picture(face_of(game, time_s < times.pain_until_s), kFaceX, 0);
-  draw_number(bar, game.stat(Stat::kHealth), kLowHealth, kHealthX, look.safe_colours);
-  draw_ammo(bar, game, look.safe_colours);
+  draw_number(bar, game.stat(Stat::kHealth), kLowHealth, kHealthX, look.safe_colors);
+  draw_ammo(bar, game, look.safe_colors);
 }
 
 void draw_inventory(const Panel& inventory, const Game& game, const HudTimes& times, double time_s,
@@ -156,7 +156,7 @@ void draw_inventory(const Panel& inventory, const Game& game, const HudTimes& ti
   inventory.picture("ibar", 0, 0, look.opacity);
   draw_weapons(inventory, game, times, time_s);
   draw_ammo_counts(inventory, game);
-  draw_finds(inventory, game, look.safe_colours);
+  draw_finds(inventory, game, look.safe_colors);
   if (game.deathmatch) draw_leaders(inventory, game);
 }
 

@@ -12,7 +12,7 @@ constexpr int kWidest = 424, kHighest = 300;
 constexpr int kNarrowest = 5 * kCharacterSide, kLowest = kCharacterSide + 2;
 // Characters of 8 pixels are small on today's displays: for twice as large ones, pages are laid out in less.
 constexpr int kNarrowAtTwo = 288, kLowAtTwo = 180;
-constexpr std::uint8_t kBlack = 0, kLight = 15;  // of the palette's first row, which is grey
+constexpr std::uint8_t kBlack = 0, kLight = 15;  // of the palette's first row, which is gray
 
 }  // namespace
 
@@ -72,11 +72,11 @@ void Canvas::fill(const Box& box, std::uint8_t index, float opacity) const {
 void Canvas::text(std::string_view text, int x, int y, int size) const {
   const Box place = to_frame({x, y, 0, 0});
   const Panel panel = (size == 1 ? panel_ : large_).at(place.x, place.y);
-  constexpr unsigned char kFirstColour = 127;
+  constexpr unsigned char kFirstColor = 127;
   int right = 0;
   for (const char c : text) {
     const auto letter = static_cast<unsigned char>(c);
-    panel.character(high_contrast_ ? letter & kFirstColour : letter, right, 0);
+    panel.character(high_contrast_ ? letter & kFirstColor : letter, right, 0);
     right += kCharacterSide;
   }
 }
@@ -90,15 +90,15 @@ void Canvas::character(char c, int x, int y) const {
 }
 
 void Canvas::plaque(std::string_view name, int x, int y) const {
-  constexpr std::uint32_t kWidestPlaque = 48;
+  constexpr std::uint32_t kMaxPlaque = 48;
   const formats::Picture* const picture = pictures_->find_real(name);
-  if (picture != nullptr && picture->width <= kWidestPlaque) panel_.picture(name, x, y);
+  if (picture != nullptr && picture->width <= kMaxPlaque) panel_.picture(name, x, y);
 }
 
 int Canvas::title_picture(std::string_view name, int y) const {
-  constexpr std::uint32_t kHighestTitle = 32;
+  constexpr std::uint32_t kMaxTitle = 32;
   const formats::Picture* const picture = pictures_->find_real(name);
-  if (picture == nullptr || picture->height > kHighestTitle || static_cast<int>(picture->width) > width())
+  if (picture == nullptr || picture->height > kMaxTitle || static_cast<int>(picture->width) > width())
     return 0;
   panel_.picture(name, (width() - static_cast<int>(picture->width)) / 2, y);
   return static_cast<int>(picture->height);

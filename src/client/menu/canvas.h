@@ -24,12 +24,12 @@ struct Box {
 // `text_size`, but never so many that it would not fit. Only at 2 it may stand out a little.
 int choose_menu_scale(int frame_width, int frame_height, double text_size);
 
-// Opacities. In indexed colour each one that is drawn with costs a table: two do for all.
+// Opacities. In indexed color each one that is drawn with costs a table: two do for all.
 constexpr float kFaint = 0.1875f, kStrong = 0.75f;
 
 struct CanvasLook {
   double text_size = 1;
-  bool high_contrast = false;  // text in one colour on black
+  bool high_contrast = false;  // text in one color on black
 };
 
 class Canvas {

@@ -7,7 +7,7 @@
 namespace temblor::client {
 namespace {
 
-constexpr unsigned char kShape = 127, kOtherColour = 128;
+constexpr unsigned char kShape = 127, kOtherColor = 128;
 constexpr unsigned char kFirstBracket = 16, kLastDigit = 28;  // of those below the space that are text
 
 bool is_text(char c) {
@@ -37,10 +37,10 @@ std::string shown(std::string_view text) {
   return plain;
 }
 
-std::string in_second_colour(std::string_view text) {
-  std::string coloured(text);
-  for (char& c : coloured) c = static_cast<char>(static_cast<unsigned char>(c) | kOtherColour);
-  return coloured;
+std::string in_second_color(std::string_view text) {
+  std::string colored(text);
+  for (char& c : colored) c = static_cast<char>(static_cast<unsigned char>(c) | kOtherColor);
+  return colored;
 }
 
 std::string cut(std::string_view text, std::size_t chars) {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "assets/pictures.h"
-#include "client/menu.h"
-#include "client/menu/row.h"
-#include "client/menu_content.h"
+#include "client/menu/menu.h"
+#include "client/menu/menu_content.h"
+#include "client/menu/rows/row.h"
 #include "command/variables.h"
 
 namespace temblor::client {

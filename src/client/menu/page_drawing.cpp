@@ -6,7 +6,7 @@
 
 #include "client/menu/lettering.h"
 #include "client/menu/page_view.h"
-#include "client/menu/plain_rows.h"
+#include "client/menu/rows/plain_rows.h"
 
 namespace temblor::client {
 namespace {
@@ -17,7 +17,7 @@ constexpr int kCursor = 2 * kCharacterSide;  // left of a row
 constexpr int kScrollBar = 8;                // right of it
 constexpr int kMargin = 8, kGap = 4;
 constexpr int kHelpLines = 3;
-constexpr std::uint8_t kTrackGrey = 15;  // of the palette's first row, which is grey
+constexpr std::uint8_t kTrackGray = 15;  // of the palette's first row, which is gray
 
 constexpr int kLargeChars = 13;  // of the longest label on a large page
 constexpr int kLargeWidth = kLargeChars * 2 * kCharacterSide;
@@ -72,7 +72,7 @@ int PageView::draw_title(const Canvas& canvas) const {
               static_cast<int>(page_.title.size()) * 2 * kCharacterSide <= canvas.width() - 2 * kMargin
           ? 2
           : 1;
-  canvas.text_in_middle(in_second_colour(cut(page_.title, characters_in(canvas.width() / letters))),
+  canvas.text_in_middle(in_second_color(cut(page_.title, characters_in(canvas.width() / letters))),
                         kGap + kGap, letters);
   return kGap + kGap + letters * kCharacterSide + kGap + kGap;
 }
@@ -81,19 +81,19 @@ int PageView::draw_search(const Canvas& canvas, int top) const {
   if (!page_.searched || page_.rows.empty()) return top;
   const Box line{kCursor, top, canvas.width() - kCursor - kMargin, kCharacterSide};
   if (search_.empty())
-    draw_left_and_right(canvas, line, in_second_colour("Type to find"),
-                        in_second_colour(fmt::format("{}", shown_.size())));
+    draw_left_and_right(canvas, line, in_second_color("Type to find"),
+                        in_second_color(fmt::format("{}", shown_.size())));
   else
-    draw_left_and_right(canvas, line, in_second_colour("Find: ") + search_ + '_',
-                        in_second_colour(fmt::format("{} of {}", shown_.size(), page_.rows.size())));
+    draw_left_and_right(canvas, line, in_second_color("Find: ") + search_ + '_',
+                        in_second_color(fmt::format("{} of {}", shown_.size(), page_.rows.size())));
   return top + kLine + kGap;
 }
 
 int PageView::draw_question(const Canvas& canvas, int top) const {
   // Without taking the rows' room, where there is any.
-  constexpr std::size_t kFewestLines = 6;
+  constexpr std::size_t kMinLines = 6;
   const int room = (canvas.height() - top) / kLine - static_cast<int>(page_.rows.size()) - 2;
-  const std::size_t most_lines = std::max(kFewestLines, static_cast<std::size_t>(std::max(room, 0)));
+  const std::size_t most_lines = std::max(kMinLines, static_cast<std::size_t>(std::max(room, 0)));
   int y = top;
   for (const std::string& line : wrap(page_.text, characters_in(canvas.width() - 2 * kCursor), most_lines)) {
     canvas.text(line, kCursor, y);
@@ -123,15 +123,15 @@ PageView::Layout PageView::lay_out(const Canvas& canvas, int top) const {
   const int left = kCursor + (has_plaque(canvas) ? plaque_x(canvas) + kPlaqueWidth : 0);
   layout.rows = is_large ? large_rows(canvas, top)
                          : Box{left, top, width - left - kScrollBar, std::max(bottom - top, kLine)};
-  constexpr int kLeastDetails = 200;
-  if (page_.style == PageStyle::kDetails && width >= kLeastDetails) {
+  constexpr int kMinDetails = 200;
+  if (page_.style == PageStyle::kDetails && width >= kMinDetails) {
     layout.rows.width = width * 9 / 16 - kCursor;  // a level's picture needs the rest
     const int x = layout.rows.right() + kScrollBar + kGap;
     layout.details = {x, top, width - kMargin - x, bottom - top};
   }
-  constexpr int kMostLabel = 22, kLabelPercent = 56;
+  constexpr int kMaxLabel = 22, kLabelPercent = 56;
   const auto chars = static_cast<int>(characters_in(layout.rows.width));
-  layout.value_x = layout.rows.x + std::min(kMostLabel, chars * kLabelPercent / 100) * kCharacterSide;
+  layout.value_x = layout.rows.x + std::min(kMaxLabel, chars * kLabelPercent / 100) * kCharacterSide;
   return layout;
 }
 
@@ -143,7 +143,7 @@ void PageView::draw_text(const Canvas& canvas, const Layout& layout) {
     const std::string_view line = lines[i];
     constexpr std::string_view kHeading = "# ";
     if (line.starts_with(kHeading))
-      canvas.text(in_second_colour(line.substr(kHeading.size())), layout.rows.x, y);
+      canvas.text(in_second_color(line.substr(kHeading.size())), layout.rows.x, y);
     else
       canvas.text(line, layout.rows.x, y);
   }
@@ -193,8 +193,8 @@ void PageView::draw_scroll_bar(const Canvas& canvas, const Box& beside) {
                             std::min(kShortest, track.height), track.height);
   thumb.y += static_cast<int>(static_cast<double>(track.height - thumb.height) * static_cast<double>(first_) /
                               static_cast<double>(last_first()));
-  canvas.fill(track, kTrackGrey, kFaint);
-  canvas.fill(thumb, kTrackGrey, kStrong);
+  canvas.fill(track, kTrackGray, kFaint);
+  canvas.fill(thumb, kTrackGray, kStrong);
   scroll_bar_ = canvas.to_frame({beside.right(), track.y, kScrollBar, track.height});
 }
 
@@ -246,7 +246,7 @@ void PageView::draw_help(const Canvas& canvas, const Layout& layout) const {
   int y = layout.help_y;
   const std::size_t chars = characters_in(canvas.width() - 2 * kMargin);
   for (const std::string& line : wrap(row_at(*selected_).help(), chars, kHelpLines)) {
-    canvas.text(in_second_colour(line), kMargin, y);
+    canvas.text(in_second_color(line), kMargin, y);
     y += kCharacterSide + 1;
   }
 }

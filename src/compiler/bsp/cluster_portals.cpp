@@ -5,7 +5,7 @@
 namespace temblor::compiler {
 namespace {
 
-// The tree down to where detail begins, and which of its leafs each of the whole tree's lies in.
+// The tree down to where detail begins, and which of its leaves each of the whole tree's lies in.
 struct CoarseTree {
   Tree tree;
   std::vector<std::uint32_t> coarse_leaf;  // by leaf of the whole tree
@@ -15,7 +15,7 @@ class Coarsener {
  public:
   explicit Coarsener(const Tree& tree) : whole_(tree) {
     out_.tree.box = tree.box;
-    out_.coarse_leaf.assign(tree.leafs.size(), 0);
+    out_.coarse_leaf.assign(tree.leaves.size(), 0);
   }
 
   CoarseTree make() {
@@ -26,9 +26,9 @@ class Coarsener {
  private:
   std::int32_t add(std::int32_t child) {
     if (child < 0 || whole_.nodes[static_cast<std::size_t>(child)].is_detail) {
-      out_.tree.leafs.push_back({Fill::kSky, Fill::kSky, {}});
-      gather(child, out_.tree.leafs.size() - 1);
-      return ~static_cast<std::int32_t>(out_.tree.leafs.size() - 1);
+      out_.tree.leaves.push_back({Fill::kSky, Fill::kSky, {}});
+      gather(child, out_.tree.leaves.size() - 1);
+      return ~static_cast<std::int32_t>(out_.tree.leaves.size() - 1);
     }
     const TreeNode& from = whole_.nodes[static_cast<std::size_t>(child)];
     const std::size_t index = out_.tree.nodes.size();
@@ -47,8 +47,8 @@ class Coarsener {
     }
     const auto leaf = static_cast<std::size_t>(~child);
     out_.coarse_leaf[leaf] = static_cast<std::uint32_t>(into);
-    Fill& structure = out_.tree.leafs[into].structure;
-    if (!is_opaque(whole_.leafs[leaf].structure)) structure = whole_.leafs[leaf].structure;
+    Fill& structure = out_.tree.leaves[into].structure;
+    if (!is_opaque(whole_.leaves[leaf].structure)) structure = whole_.leaves[leaf].structure;
   }
 
   const Tree& whole_;
@@ -69,10 +69,10 @@ PortalSet make_cluster_portals(const Tree& tree, const PlaneSet& planes,
   const CoarseTree coarse = Coarsener(tree).make();
   PortalSet set;
   set.cluster_of_leaf.assign(leaf_count, kNoCluster);
-  // Numbered in the order of the level's leafs.
+  // Numbered in the order of the level's leaves.
   std::vector<std::uint32_t> leaf_of_number(leaf_count, 0);
   for (std::uint32_t leaf = 0; leaf < leaf_numbers.size(); ++leaf) leaf_of_number[leaf_numbers[leaf]] = leaf;
-  std::vector<std::uint32_t> cluster(coarse.tree.leafs.size(), kNoCluster);
+  std::vector<std::uint32_t> cluster(coarse.tree.leaves.size(), kNoCluster);
   const std::uint32_t last = *std::max_element(leaf_numbers.begin(), leaf_numbers.end());
   for (std::uint32_t number = 1; number <= last; ++number) {
     std::uint32_t& of_coarse = cluster[coarse.coarse_leaf[leaf_of_number[number]]];
@@ -80,9 +80,10 @@ PortalSet make_cluster_portals(const Tree& tree, const PlaneSet& planes,
     set.cluster_of_leaf[number] = of_coarse;
   }
   for (LeafPortal& portal : make_leaf_portals(coarse.tree, planes).portals) {
-    const auto [front, back] = portal.leafs;
+    const auto [front, back] = portal.leaves;
     if (cluster[front] == kNoCluster || cluster[back] == kNoCluster) continue;
-    if (!is_open(coarse.tree.leafs[front].structure, coarse.tree.leafs[back].structure, water_is_transparent))
+    if (!is_open(coarse.tree.leaves[front].structure, coarse.tree.leaves[back].structure,
+                 water_is_transparent))
       continue;
     const Plane& plane = planes[coarse.tree.nodes[portal.node].plane];
     set.portals.push_back(

@@ -21,26 +21,26 @@ struct Flood {
 };
 
 Flood flood(const Tree& tree, const LeafPortals& portals) {
-  std::vector<std::vector<std::uint32_t>> portals_of(tree.leafs.size());
+  std::vector<std::vector<std::uint32_t>> portals_of(tree.leaves.size());
   for (std::size_t i = 0; i < portals.portals.size(); ++i)
-    for (const std::uint32_t leaf : portals.portals[i].leafs)
+    for (const std::uint32_t leaf : portals.portals[i].leaves)
       portals_of[leaf].push_back(static_cast<std::uint32_t>(i));
-  Flood flood{std::vector<bool>(tree.leafs.size(), false),
-              std::vector<std::uint32_t>(tree.leafs.size(), kNone)};
+  Flood flood{std::vector<bool>(tree.leaves.size(), false),
+              std::vector<std::uint32_t>(tree.leaves.size(), kNone)};
   std::deque<std::uint32_t> next;
   const auto reach = [&](std::uint32_t leaf, std::uint32_t portal) {
-    if (flood.reached[leaf] || is_opaque(tree.leafs[leaf].fill)) return;
+    if (flood.reached[leaf] || is_opaque(tree.leaves[leaf].fill)) return;
     flood.reached[leaf] = true;
     flood.through[leaf] = portal;
     next.push_back(leaf);
   };
-  for (std::uint32_t leaf = 0; leaf < tree.leafs.size(); ++leaf)
+  for (std::uint32_t leaf = 0; leaf < tree.leaves.size(); ++leaf)
     if (portals.is_outermost[leaf]) reach(leaf, kNone);
   while (!next.empty()) {
     const std::uint32_t leaf = next.front();
     next.pop_front();
     for (const std::uint32_t portal : portals_of[leaf]) {
-      const auto& sides = portals.portals[portal].leafs;
+      const auto& sides = portals.portals[portal].leaves;
       reach(sides[0] == leaf ? sides[1] : sides[0], portal);
     }
   }
@@ -59,13 +59,13 @@ std::optional<Leak> fill_outside(Tree& io_tree, const PlaneSet& planes, const Le
     for (std::uint32_t portal = found.through[leaf]; portal != kNone; portal = found.through[leaf]) {
       const LeafPortal& door = portals.portals[portal];
       leak.way_world.push_back(middle(door.winding));
-      leaf = door.leafs[0] == leaf ? door.leafs[1] : door.leafs[0];
+      leaf = door.leaves[0] == leaf ? door.leaves[1] : door.leaves[0];
     }
     return leak;
   }
   if (occupants.empty()) return std::nullopt;  // a box of ammunition, say: all of it is outside
-  for (std::size_t leaf = 0; leaf < io_tree.leafs.size(); ++leaf)
-    if (found.reached[leaf]) io_tree.leafs[leaf] = {Fill::kSolid, Fill::kSolid, {}};
+  for (std::size_t leaf = 0; leaf < io_tree.leaves.size(); ++leaf)
+    if (found.reached[leaf]) io_tree.leaves[leaf] = {Fill::kSolid, Fill::kSolid, {}};
   return std::nullopt;
 }
 

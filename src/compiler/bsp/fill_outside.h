@@ -15,7 +15,7 @@ struct Leak {
   std::vector<math::Vec3d> way_world;  // from it to the outside, through the middles of portals
 };
 
-// Floods the tree from outside, through leafs that nothing opaque fills. When no occupant (a point that is
+// Floods the tree from outside, through leaves that nothing opaque fills. When no occupant (a point that is
 // not in an opaque leaf) is reached, all that was reached becomes kSolid, filled by nothing; otherwise, and
 // without occupants, nothing changes.
 std::optional<Leak> fill_outside(Tree& io_tree, const PlaneSet& planes, const LeafPortals& portals,

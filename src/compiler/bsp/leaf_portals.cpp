@@ -8,7 +8,7 @@ namespace {
 class PortalMaker {
  public:
   PortalMaker(const Tree& tree, const PlaneSet& planes) : tree_(tree), planes_(planes) {
-    out_.is_outermost.assign(tree.leafs.size(), false);
+    out_.is_outermost.assign(tree.leaves.size(), false);
   }
 
   LeafPortals make() {

@@ -1,4 +1,4 @@
-// Where a tree's leafs touch: a polygon for each pair of neighbours.
+// Where a tree's leaves touch: a polygon for each pair of neighbors.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace temblor::compiler {
 struct LeafPortal {
   Winding winding;  // seen from the first leaf
   std::uint32_t node;
-  std::array<std::uint32_t, 2> leafs;  // in front of the node's plane, behind it
+  std::array<std::uint32_t, 2> leaves;  // in front of the node's plane, behind it
 };
 
 struct LeafPortals {

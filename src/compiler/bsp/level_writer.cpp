@@ -43,23 +43,23 @@ std::size_t number(std::int32_t leaf_child) {
 LevelWriter::LevelWriter(const PlaneSet& planes) : planes_(planes) {
   formats::BspLeaf solid;
   solid.contents = contents_of(Fill::kSolid);
-  bsp_.leafs.push_back(solid);
+  bsp_.leaves.push_back(solid);
   bsp_.edges.push_back({});  // a surfedge's sign could not turn edge 0
 }
 
 std::vector<std::uint32_t> LevelWriter::add_model(const Tree& tree, std::span<const LeafPortal> portals,
                                                   std::span<const TreeFace> faces, const Box& box) {
   ModelParts parts{
-      tree, std::vector<Box>(tree.leafs.size()), std::vector<std::uint32_t>(tree.leafs.size(), 0),
-      std::vector<std::pair<std::uint32_t, std::uint32_t>>(tree.nodes.size()), bsp_.leafs.size()};
+      tree, std::vector<Box>(tree.leaves.size()), std::vector<std::uint32_t>(tree.leaves.size(), 0),
+      std::vector<std::pair<std::uint32_t, std::uint32_t>>(tree.nodes.size()), bsp_.leaves.size()};
   for (const LeafPortal& portal : portals)
-    for (const std::uint32_t leaf : portal.leafs) parts.leaf_boxes[leaf].add(portal.winding);
+    for (const std::uint32_t leaf : portal.leaves) parts.leaf_boxes[leaf].add(portal.winding);
   formats::BspModel model;
   model.mins = mins_of(box);
   model.maxs = maxs_of(box);
   model.first_face = static_cast<std::uint32_t>(bsp_.faces.size());
-  add_leafs(tree.root, parts);
-  model.visible_leafs = static_cast<std::int32_t>(bsp_.leafs.size() - parts.first_leaf);
+  add_leaves(tree.root, parts);
+  model.visible_leaves = static_cast<std::int32_t>(bsp_.leaves.size() - parts.first_leaf);
   add_faces(faces, parts);
   model.face_count = static_cast<std::uint32_t>(bsp_.faces.size()) - model.first_face;
   model.head_nodes = {add_node(tree.root, parts).first, -1, -1, -1};
@@ -75,20 +75,20 @@ std::vector<std::uint32_t> LevelWriter::add_model(const Tree& tree, std::span<co
   return std::move(parts.leaf_numbers);
 }
 
-void LevelWriter::add_leafs(std::int32_t child, ModelParts& io_parts) {
+void LevelWriter::add_leaves(std::int32_t child, ModelParts& io_parts) {
   if (child >= 0) {
     for (const std::int32_t below : io_parts.tree.nodes[static_cast<std::size_t>(child)].children)
-      add_leafs(below, io_parts);
+      add_leaves(below, io_parts);
     return;
   }
-  const TreeLeaf& from = io_parts.tree.leafs[number(child)];
+  const TreeLeaf& from = io_parts.tree.leaves[number(child)];
   if (is_blocked(from.fill)) return;
   formats::BspLeaf leaf;
   leaf.contents = contents_of(from.fill);
   leaf.mins = mins_of(io_parts.leaf_boxes[number(child)]);
   leaf.maxs = maxs_of(io_parts.leaf_boxes[number(child)]);
-  io_parts.leaf_numbers[number(child)] = static_cast<std::uint32_t>(bsp_.leafs.size());
-  bsp_.leafs.push_back(leaf);
+  io_parts.leaf_numbers[number(child)] = static_cast<std::uint32_t>(bsp_.leaves.size());
+  bsp_.leaves.push_back(leaf);
 }
 
 void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_parts) {
@@ -100,11 +100,11 @@ void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_part
   }
   close_t_junctions(loops, vertices_);
   open_edges_.clear();  // no edge is shared by two models
-  std::vector<std::vector<std::uint32_t>> marked(bsp_.leafs.size() - io_parts.first_leaf);
+  std::vector<std::vector<std::uint32_t>> marked(bsp_.leaves.size() - io_parts.first_leaf);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const TreeFace& face = faces[i];
     const auto in_sight = [&](std::uint32_t leaf) { return io_parts.leaf_numbers[leaf] != 0; };
-    if (loops[i].size() < 3 || std::none_of(face.leafs.begin(), face.leafs.end(), in_sight)) continue;
+    if (loops[i].size() < 3 || std::none_of(face.leaves.begin(), face.leaves.end(), in_sight)) continue;
     const auto index = static_cast<std::uint32_t>(bsp_.faces.size());
     formats::BspFace out;
     out.plane = plane_number(stored(face.plane));
@@ -117,12 +117,12 @@ void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_part
     surface_of_face_.push_back(face.surface);
     auto& [first, count] = io_parts.first_face_and_count[face.node];
     if (count++ == 0) first = index;
-    for (const std::uint32_t leaf : face.leafs)
+    for (const std::uint32_t leaf : face.leaves)
       if (in_sight(leaf)) marked[io_parts.leaf_numbers[leaf] - io_parts.first_leaf].push_back(index);
   }
   for (std::size_t i = 0; i < marked.size(); ++i) {
     if (marked[i].empty()) continue;
-    formats::BspLeaf& leaf = bsp_.leafs[io_parts.first_leaf + i];
+    formats::BspLeaf& leaf = bsp_.leaves[io_parts.first_leaf + i];
     leaf.first_marksurface = static_cast<std::uint32_t>(bsp_.marksurfaces.size());
     leaf.marksurface_count = static_cast<std::uint32_t>(marked[i].size());
     bsp_.marksurfaces.insert(bsp_.marksurfaces.end(), marked[i].begin(), marked[i].end());
@@ -131,7 +131,7 @@ void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_part
 
 std::pair<std::int32_t, Box> LevelWriter::add_node(std::int32_t child, const ModelParts& parts) {
   if (child < 0) {
-    const Fill fill = parts.tree.leafs[number(child)].fill;
+    const Fill fill = parts.tree.leaves[number(child)].fill;
     const bool is_seen = !is_blocked(fill) || fill == Fill::kFence;  // what is seen in a fence is drawn, too
     return {-static_cast<std::int32_t>(parts.leaf_numbers[number(child)]) - 1,
             is_seen ? parts.leaf_boxes[number(child)] : Box{}};
@@ -159,7 +159,7 @@ void LevelWriter::set_hull(std::size_t hull, const Tree& tree) {
 }
 
 std::int32_t LevelWriter::add_clipnode(const Tree& tree, std::int32_t child) {
-  if (child < 0) return contents_of(tree.leafs[number(child)].fill);
+  if (child < 0) return contents_of(tree.leaves[number(child)].fill);
   const TreeNode& from = tree.nodes[static_cast<std::size_t>(child)];
   const std::size_t index = bsp_.clipnodes.size();
   bsp_.clipnodes.push_back({plane_number(from.plane), {}});

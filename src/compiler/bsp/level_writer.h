@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/bsp/faces.h"
-#include "compiler/bsp/vertices.h"
-#include "formats/bsp.h"
+#include "compiler/bsp/faces/faces.h"
+#include "compiler/bsp/faces/vertices.h"
+#include "formats/levels/bsp.h"
 
 namespace temblor::compiler {
 
@@ -18,7 +18,7 @@ class LevelWriter {
   explicit LevelWriter(const PlaneSet& planes);
 
   // The world first; `faces` in order of their nodes, `box` of the model's brushes. Returns the number of
-  // each of the tree's leafs in the level; 0 for solid ones.
+  // each of the tree's leaves in the level; 0 for solid ones.
   std::vector<std::uint32_t> add_model(const Tree& tree, std::span<const LeafPortal> portals,
                                        std::span<const TreeFace> faces, const Box& box);
   // Of the last model: hull 1 or 2.
@@ -37,9 +37,9 @@ class LevelWriter {
     std::vector<std::uint32_t> leaf_numbers;
     // By node of the tree: its faces in the level.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> first_face_and_count;
-    std::size_t first_leaf;  // of its leafs in the level
+    std::size_t first_leaf;  // of its leaves in the level
   };
-  void add_leafs(std::int32_t child, ModelParts& io_parts);
+  void add_leaves(std::int32_t child, ModelParts& io_parts);
   void add_faces(std::span<const TreeFace> faces, ModelParts& io_parts);
   std::pair<std::int32_t, Box> add_node(std::int32_t child, const ModelParts& parts);
   std::int32_t add_clipnode(const Tree& tree, std::int32_t child);

@@ -23,7 +23,7 @@ std::vector<Brush> only_bounding(const Tree& tree, std::span<const LeafPortal> p
       side.splits &= kept[i].fill == Fill::kEmpty;
     }
   for (const LeafPortal& portal : portals) {
-    const TreeLeaf &front = tree.leafs[portal.leafs[0]], &back = tree.leafs[portal.leafs[1]];
+    const TreeLeaf &front = tree.leaves[portal.leaves[0]], &back = tree.leaves[portal.leaves[1]];
     const PlaneIndex plane = tree.nodes[portal.node].plane;
     const bool is_seen = surface_between(front, back, plane, brushes) != kNoSurface ||
                          surface_between(back, front, turned(plane), brushes) != kNoSurface;
@@ -55,9 +55,9 @@ struct InnerPoint {
 };
 
 std::vector<InnerPoint> inner_points(const Tree& tree, std::span<const LeafPortal> portals) {
-  std::vector<InnerPoint> points(tree.leafs.size());
+  std::vector<InnerPoint> points(tree.leaves.size());
   for (const LeafPortal& portal : portals)
-    for (const std::uint32_t leaf : portal.leafs) {
+    for (const std::uint32_t leaf : portal.leaves) {
       for (const math::Vec3d& corner : portal.winding) points[leaf].sum += corner;
       points[leaf].count += static_cast<double>(portal.winding.size());
       ++points[leaf].portals;
@@ -124,13 +124,13 @@ class FacePlacer {
   void place_at(std::int32_t number, PlaneIndex plane, const TreeFace& face, Winding winding) {
     const TreeNode& node = tree_.nodes[static_cast<std::size_t>(number)];
     TreeFace placed{winding, plane, face.surface, static_cast<std::uint32_t>(number), {}};
-    find_leafs(std::move(winding), planes_[plane].normal, node.children[node.plane == plane ? 0 : 1],
-               placed.leafs);
+    find_leaves(std::move(winding), planes_[plane].normal, node.children[node.plane == plane ? 0 : 1],
+                placed.leaves);
     placed_.push_back(std::move(placed));
   }
 
-  void find_leafs(Winding winding, const math::Vec3d& outwards, std::int32_t child,
-                  std::vector<std::uint32_t>& out) {
+  void find_leaves(Winding winding, const math::Vec3d& outwards, std::int32_t child,
+                   std::vector<std::uint32_t>& out) {
     while (child >= 0) {
       const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
       const Plane& plane = planes_[node.plane];
@@ -145,7 +145,7 @@ class FacePlacer {
       WindingParts parts = split(winding, plane, on_plane);
       const bool in_front = !is_tiny(parts.front), behind = !is_tiny(parts.back);
       if (!in_front && !behind) return;
-      if (in_front && behind) find_leafs(std::move(parts.front), outwards, node.children[0], out);
+      if (in_front && behind) find_leaves(std::move(parts.front), outwards, node.children[0], out);
       winding = std::move(behind ? parts.back : parts.front);
       child = node.children[behind ? 1 : 0];
     }
@@ -165,15 +165,15 @@ SecondTree make_second_tree(const Tree& first, std::span<const LeafPortal> porta
   second.tree = build_tree(only_bounding(first, portals, brushes), planes, Cover::kNone, [](double) {});
   second.portals = make_leaf_portals(second.tree, planes);
   const std::vector<InnerPoint> points = inner_points(second.tree, second.portals.portals);
-  for (std::size_t i = 0; i < second.tree.leafs.size(); ++i) {
-    TreeLeaf& leaf = second.tree.leafs[i];
-    constexpr int kFewestWalls = 4;
-    if (!second.portals.is_outermost[i] && points[i].portals < kFewestWalls)
+  for (std::size_t i = 0; i < second.tree.leaves.size(); ++i) {
+    TreeLeaf& leaf = second.tree.leaves[i];
+    constexpr int kMinWalls = 4;
+    if (!second.portals.is_outermost[i] && points[i].portals < kMinWalls)
       continue;  // a sliver: what its brushes say
     // Outside is the same everywhere; the corner of the box is outside.
     const math::Vec3d inside =
         second.portals.is_outermost[i] ? first.box.mins + 1.0 : points[i].sum / points[i].count;
-    const TreeLeaf& known = first.leafs[first.leaf_at(inside, planes)];
+    const TreeLeaf& known = first.leaves[first.leaf_at(inside, planes)];
     leaf.fill = known.fill;
     leaf.structure = known.structure;
   }

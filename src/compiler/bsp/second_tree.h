@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/bsp/faces.h"
+#include "compiler/bsp/faces/faces.h"
 #include "compiler/bsp/leaf_portals.h"
 
 namespace temblor::compiler {
@@ -15,11 +15,11 @@ struct SecondTree {
   LeafPortals portals;
 };
 
-// `first` with its portals, after outside was filled; its leafs' places in `brushes`.
+// `first` with its portals, after outside was filled; its leaves' places in `brushes`.
 SecondTree make_second_tree(const Tree& first, std::span<const LeafPortal> portals,
                             std::span<const Brush> brushes, const PlaneSet& planes);
 
-// Cuts faces by a tree, down to the node in whose plane each lies, and finds the leafs that see it.
+// Cuts faces by a tree, down to the node in whose plane each lies, and finds the leaves that see it.
 std::vector<TreeFace> place_faces(std::span<const TreeFace> faces, const Tree& tree, const PlaneSet& planes);
 
 }  // namespace temblor::compiler

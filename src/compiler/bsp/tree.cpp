@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRoomAround = 128;  // units
 // With more brushes a middle plane is taken.
-constexpr std::size_t kMostWeighed = 96;
+constexpr std::size_t kMaxWeighed = 96;
 
 constexpr std::uint32_t kNoNumber = std::numeric_limits<std::uint32_t>::max();
 
@@ -100,9 +100,9 @@ std::pair<Piece, Piece> split(Piece piece, PlaneIndex number, const PlaneSet& pl
   }
   std::pair<Piece, Piece> parts;
   auto& [front, back] = parts;
-  constexpr std::size_t kFewestSides = 4;
-  if (front_count < kFewestSides || back_count < kFewestSides) {
-    (front_count >= kFewestSides ? front : back) = std::move(piece);
+  constexpr std::size_t kMinSides = 4;
+  if (front_count < kMinSides || back_count < kMinSides) {
+    (front_count >= kMinSides ? front : back) = std::move(piece);
     return parts;
   }
   front.brush = back.brush = piece.brush;
@@ -240,7 +240,7 @@ class TreeBuilder {
   std::optional<PlaneIndex> choose(const Pieces& pieces, const Box& box, bool& out_is_detail) {
     for (const bool detail : {false, true}) {
       out_is_detail = detail;
-      if (pieces.size() > kMostWeighed)
+      if (pieces.size() > kMaxWeighed)
         if (const auto plane = middle_plane(pieces, box, detail)) return plane;
       if (const auto plane = cheapest_plane(pieces, detail)) return plane;
     }
@@ -269,8 +269,8 @@ class TreeBuilder {
 
   std::optional<PlaneIndex> cheapest_plane(const Pieces& pieces, bool detail) {
     // Enough of the candidates, evenly spread, where there are very many.
-    constexpr std::size_t kMostTests = 40000;
-    const std::size_t step = std::max<std::size_t>(1, pieces.size() * pieces.size() * 6 / kMostTests);
+    constexpr std::size_t kMaxTests = 40000;
+    const std::size_t step = std::max<std::size_t>(1, pieces.size() * pieces.size() * 6 / kMaxTests);
     ++round_;
     long least = 0;
     std::optional<PlaneIndex> found;
@@ -313,8 +313,8 @@ class TreeBuilder {
       leaf.fill = std::max(leaf.fill, fill);
       if (!piece.is_detail) leaf.structure = std::max(leaf.structure, fill);
     }
-    tree_.leafs.push_back(std::move(leaf));
-    return ~static_cast<std::int32_t>(tree_.leafs.size() - 1);
+    tree_.leaves.push_back(std::move(leaf));
+    return ~static_cast<std::int32_t>(tree_.leaves.size() - 1);
   }
 
   std::span<const Brush> brushes_;
@@ -351,8 +351,8 @@ void prune(Tree& io_tree, base::FunctionRef<bool(const TreeLeaf&, const TreeLeaf
       if (child < 0) continue;
       const auto& below = io_tree.nodes[static_cast<std::size_t>(child)].children;
       if (below[0] >= 0 || below[1] >= 0) continue;
-      if (same(io_tree.leafs[static_cast<std::size_t>(~below[0])],
-               io_tree.leafs[static_cast<std::size_t>(~below[1])]))
+      if (same(io_tree.leaves[static_cast<std::size_t>(~below[0])],
+               io_tree.leaves[static_cast<std::size_t>(~below[1])]))
         child = below[0];
     }
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/function_ref.h"
-#include "compiler/bsp/brush.h"
+#include "compiler/bsp/brushes/brush.h"
 
 namespace temblor::compiler {
 
@@ -26,7 +26,7 @@ struct TreeLeaf {
 
 struct Tree {
   std::vector<TreeNode> nodes;
-  std::vector<TreeLeaf> leafs;
+  std::vector<TreeLeaf> leaves;
   std::int32_t root = -1;
   Box box;  // of everything, with some room around
 
@@ -50,7 +50,7 @@ enum class Cover : std::uint8_t {
 Tree build_tree(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover,
                 base::FunctionRef<void(double share)> grown);
 
-// Takes away nodes whose children are leafs that `same` says are one; the first keeps its number.
+// Takes away nodes whose children are leaves that `same` says are one; the first keeps its number.
 void prune(Tree& io_tree, base::FunctionRef<bool(const TreeLeaf&, const TreeLeaf&)> same);
 
 }  // namespace temblor::compiler

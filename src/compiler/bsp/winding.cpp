@@ -9,7 +9,7 @@ namespace {
 constexpr double kShortSide = 0.1;  // units
 
 // Where the line between two points on different sides meets the plane. The same for both directions, so that
-// neighbours that are cut alike keep a common corner; exact on planes along an axis.
+// neighbors that are cut alike keep a common corner; exact on planes along an axis.
 math::Vec3d meet(math::Vec3d a, math::Vec3d b, double a_distance, double b_distance, const Plane& plane) {
   if (a_distance < b_distance) {
     std::swap(a, b);

@@ -11,8 +11,8 @@
 #include <set>
 #include <span>
 
-#include "compiler/light/directions.h"
-#include "compiler/light/sample_places.h"
+#include "compiler/light/faces/sample_points.h"
+#include "compiler/light/sources/directions.h"
 #include "world/face_at.h"
 
 namespace temblor::compiler {
@@ -70,7 +70,7 @@ BouncedWorld lay_nodes(const LitLevel& lit) {
   return bounced;
 }
 
-// The mean colour of a texture, the strongest channel 1; white where it is black or without texels.
+// The mean color of a texture, the strongest channel 1; white where it is black or without texels.
 math::Vec3 hue_of(const world::Texture& texture, const formats::Palette& palette) {
   math::Vec3d sum(0.0);
   for (const std::uint8_t texel : texture.mips[0])
@@ -86,7 +86,7 @@ void tint_by_textures(const LitLevel& lit, const BounceSettings& settings, const
   for (const world::Texture& texture : level.textures) hues.push_back(hue_of(texture, palette));
   for (std::size_t face = 0; face < level.faces.size(); ++face)
     io_bounced.reflectance[face] *=
-        glm::mix(math::Vec3(1.0f), hues[base::to_size(level.faces[face].texture)], settings.colour_scale);
+        glm::mix(math::Vec3(1.0f), hues[base::to_size(level.faces[face].texture)], settings.color_scale);
 }
 
 // The node of a face nearest to a point on it.
@@ -272,7 +272,7 @@ void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
                        const BounceSettings& settings, const std::optional<formats::Palette>& palette,
                        base::Jobs& io_jobs, std::vector<FaceLight>& io_light) {
   BouncedWorld bounced = lay_nodes(lit);
-  if (palette && settings.colour_scale > 0) tint_by_textures(lit, settings, *palette, bounced);
+  if (palette && settings.color_scale > 0) tint_by_textures(lit, settings, *palette, bounced);
   const std::size_t nodes = bounced.face_of_node.size();
   CHECK(seen.size() == nodes * kRays);
   for (const std::uint8_t style : bouncing_styles(settings, io_light)) {

@@ -8,11 +8,11 @@
 
 #include "base/function_ref.h"
 #include "base/parallel_for.h"
-#include "compiler/light/face_light.h"
+#include "compiler/light/faces/face_light.h"
 #include "compiler/light/lit_level.h"
-#include "compiler/light/ray_scene.h"
-#include "compiler/light/settings.h"
-#include "formats/palette.h"
+#include "compiler/light/rays/ray_scene.h"
+#include "compiler/light/sources/settings.h"
+#include "formats/images/palette.h"
 
 namespace temblor::compiler {
 
@@ -34,7 +34,7 @@ bool are_bounces_of(const LitLevel& lit, std::span<const std::uint32_t> seen);
 
 // Adds to style 0 of every face what it gets from the others after settings.count bounces of style 0, and so
 // for every style with settings.styled. Negative lights do not bounce. Without a palette no face has a
-// colour. `seen`: of all faces. `io_light`: by light map.
+// color. `seen`: of all faces. `io_light`: by light map.
 void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
                        const BounceSettings& settings, const std::optional<formats::Palette>& palette,
                        base::Jobs& io_jobs, std::vector<FaceLight>& io_light);

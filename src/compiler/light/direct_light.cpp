@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "compiler/light/dirt.h"
-#include "compiler/light/shadow_record.h"
+#include "compiler/light/shadows/dirt.h"
+#include "compiler/light/shadows/shadow_record.h"
 #include "world/visibility.h"
 
 namespace temblor::compiler {
@@ -33,17 +33,17 @@ Sphere sphere_around(std::span<const math::Vec3> points) {
 }
 
 // What stands up into a brush of sky is drawn there.
-bool lies_in_sky(const world::Level& level, std::span<const world::LeafIndex> leafs) {
-  return std::any_of(leafs.begin(), leafs.end(), [&](world::LeafIndex leaf) {
+bool lies_in_sky(const world::Level& level, std::span<const world::LeafIndex> leaves) {
+  return std::any_of(leaves.begin(), leaves.end(), [&](world::LeafIndex leaf) {
     return level.leaf(leaf).contents == world::Contents::kSky;
   });
 }
 
-// Gives luxels that lie within something solid the mean of their neighbours, ring by ring, so that what is
+// Gives luxels that lie within something solid the mean of their neighbors, ring by ring, so that what is
 // seen of them fades into the rest. All stays as it is where all are hidden.
 void fill_hidden(const LightGrid& grid, const SamplePlaces& places, std::span<math::Vec3> io_samples) {
   std::vector<std::uint8_t> unknown;
-  for (std::size_t i = 0; i < places.leafs.size(); ++i) unknown.push_back(places.is_hidden(i) ? 1 : 0);
+  for (std::size_t i = 0; i < places.leaves.size(); ++i) unknown.push_back(places.is_hidden(i) ? 1 : 0);
   const int width = grid.width, height = grid.height;
   const auto left = [&] { return std::count(unknown.begin(), unknown.end(), std::uint8_t{1}); };
   for (auto before = left(); before > 0 && before < static_cast<std::ptrdiff_t>(unknown.size());) {
@@ -98,7 +98,7 @@ class FaceLighter {
         bounds_(sphere_around(places_)),
         flat_normal_(grid_.normal),
         is_flat_(!input.phong.is_curved(grid_.face) || grid_.corners_world.size() < 3),
-        is_in_sky_(lies_in_sky(*input.lit.level, filter_.luxel_places().leafs)),
+        is_in_sky_(lies_in_sky(*input.lit.level, filter_.luxel_places().leaves)),
         unshadowed_(places_.size()),
         known_(learned != nullptr && input.known != nullptr ? input.known->map(grid_.map) : nullptr),
         learned_(learned),
@@ -109,10 +109,10 @@ class FaceLighter {
   }
 
   void add_all() {
-    const std::vector<world::LeafIndex> leafs = input_.sight.leafs_of(grid_.face, filter_.luxel_places());
+    const std::vector<world::LeafIndex> leaves = input_.sight.leaves_of(grid_.face, filter_.luxel_places());
     for (std::size_t i = 0; i < input_.lights.size(); ++i)
-      if (may_reach(input_.lights[i]) && input_.sight.light_may_reach(i, leafs)) add(i);
-    if (input_.scene.has_sky() && !input_.beams.empty() && input_.sight.sky_may_reach(leafs)) add_sky();
+      if (may_reach(input_.lights[i]) && input_.sight.light_may_reach(i, leaves)) add(i);
+    if (input_.scene.has_sky() && !input_.beams.empty() && input_.sight.sky_may_reach(leaves)) add_sky();
   }
 
   FaceLight take() && {
@@ -139,14 +139,14 @@ class FaceLighter {
     const LayerKind kind = light.attenuation == Attenuation::kLocalMinlight ? LayerKind::kRaise
                            : light.value < 0                                ? LayerKind::kSubtract
                                                                             : LayerKind::kAdd;
-    deposit(shares_of(number, is_rough(brightest)), {light.colour, light.style, kind, light.takes_dirt},
+    deposit(shares_of(number, is_rough(brightest)), {light.color, light.style, kind, light.takes_dirt},
             light_);
   }
 
   // The shares of the lit luxels: from the cache, where it has the answer to the same question.
   std::span<const Share> shares_of(std::size_t number, bool rough) {
     std::optional<std::span<const Share>> shares;
-    if (known_ != nullptr && input_.known->number_of(number) != KnownLight::kUnknown)
+    if (known_ != nullptr && input_.known->number_of(number) != CachedLight::kUnknown)
       shares = shadows_before_.find({input_.known->number_of(number), lit_luxels_, rough});
     if (!shares)
       shares = filter_.shares(
@@ -188,7 +188,7 @@ class FaceLighter {
                                            input_.scene.towards_sky(points, beam.towards_sky, out, model());
                                        });
     const LayerKind kind = beam.value < 0 ? LayerKind::kSubtract : LayerKind::kAdd;
-    deposit(shares, {beam.colour, beam.style, kind, beam.takes_dirt}, io_sky);
+    deposit(shares, {beam.color, beam.style, kind, beam.takes_dirt}, io_sky);
   }
 
   std::vector<float> dirt() {
@@ -230,7 +230,7 @@ class FaceLighter {
   }
 
   struct Arriving {
-    math::Vec3 colour;
+    math::Vec3 color;
     std::uint8_t style;
     LayerKind kind;
     bool takes_dirt;
@@ -243,7 +243,7 @@ class FaceLighter {
     for (std::size_t i = 0; i < lit_luxels_.size(); ++i) {
       const std::uint32_t luxel = lit_luxels_[i];
       const float value = std::abs(unshadowed_[luxel]) * (dirty ? io_light.dirt[luxel] : 1);
-      const math::Vec3 arriving = light.colour * factor_of(shares[i]) * value;
+      const math::Vec3 arriving = light.color * factor_of(shares[i]) * value;
       samples[luxel] =
           light.kind == LayerKind::kRaise ? glm::max(samples[luxel], arriving) : samples[luxel] + arriving;
     }
@@ -273,7 +273,7 @@ SamplePlaces place_in_middle(const LitLevel& lit, std::size_t face) {
   places.points.push_back((bounds.mins + bounds.maxs) * 0.5f + lit.offset_of(face));
   const world::LeafIndex leaf = world::find_leaf(*lit.level, places.points[0]);
   const bool solid = lit.level->leaf(leaf).contents == world::Contents::kSolid;
-  places.leafs.push_back(solid ? world::LeafIndex{0} : leaf);
+  places.leaves.push_back(solid ? world::LeafIndex{0} : leaf);
   return places;
 }
 
@@ -300,7 +300,7 @@ FaceLight light_in_middle(const DirectLightInput& input, const LightGrid& grid) 
 
 std::vector<std::uint32_t> hidden_luxels(const SamplePlaces& places) {
   std::vector<std::uint32_t> hidden;
-  for (std::size_t i = 0; i < places.leafs.size(); ++i)
+  for (std::size_t i = 0; i < places.leaves.size(); ++i)
     if (places.is_hidden(i)) hidden.push_back(static_cast<std::uint32_t>(i));
   return hidden;
 }
@@ -321,7 +321,7 @@ FaceLight direct_light_of(const DirectLightInput& input, std::size_t map, LightC
   const LitLevel& lit = input.lit;
   const std::size_t face = lit.maps[map].face;
   LightGrid grid = make_light_grid(lit, map);
-  SamplePlaces places = sample_places(lit, input.scene, grid, 1);
+  SamplePlaces places = sample_points(lit, input.scene, grid, 1);
   const SurfaceKeys& keys = lit.keys_of(face);
   const bool takes_light = !keys.ignores_light;
   const bool may_take_middle = takes_light && lit.model_of_face[face] != 0 && keys.auto_min_light >= 0;

@@ -4,16 +4,16 @@
 #include <span>
 #include <vector>
 
-#include "compiler/light/face_light.h"
-#include "compiler/light/known_light.h"
-#include "compiler/light/leaf_sight.h"
-#include "compiler/light/light_source.h"
+#include "compiler/light/cached_light.h"
+#include "compiler/light/faces/face_light.h"
+#include "compiler/light/faces/phong.h"
 #include "compiler/light/lit_level.h"
-#include "compiler/light/phong.h"
-#include "compiler/light/ray_scene.h"
-#include "compiler/light/settings.h"
-#include "compiler/light/shadow_filter.h"
-#include "compiler/light/sky_lights.h"
+#include "compiler/light/rays/leaf_sight.h"
+#include "compiler/light/rays/ray_scene.h"
+#include "compiler/light/shadows/shadow_filter.h"
+#include "compiler/light/sources/light_source.h"
+#include "compiler/light/sources/settings.h"
+#include "compiler/light/sources/sky_lights.h"
 
 namespace temblor::compiler {
 
@@ -21,12 +21,12 @@ struct DirectLightInput {
   const LitLevel& lit;
   const RayScene& scene;
   const PhongNormals& phong;
-  const LeafSight& sight;  // of `lights`
+  const Leavesight& sight;  // of `lights`
   const LightSettings& settings;
   std::span<const LightSource> lights;
   std::span<const SkyBeam> beams;
   ShadowSampling sampling;
-  const KnownLight* known;  // null: every ray is asked
+  const CachedLight* known;  // null: every ray is asked
 };
 
 // On a light map (LitLevel::maps) of a face that gets light. Safe to call for several maps at once.

@@ -44,8 +44,8 @@ std::vector<math::Vec3> passes_by_texel(const SurfaceKeys& keys, bool has_holes,
                                         const std::optional<formats::Palette>& palette) {
   std::vector<math::Vec3> passes(kHole + 1, math::Vec3(1 - keys.light_alpha));
   for (std::size_t i = 0; i < passes.size() && palette && keys.light_alpha < 1; ++i) {
-    const formats::Rgb& colour = (*palette)[i];
-    const math::Vec3 tint = math::Vec3(colour.r, colour.g, colour.b) / 255.0f;
+    const formats::Rgb& color = (*palette)[i];
+    const math::Vec3 tint = math::Vec3(color.r, color.g, color.b) / 255.0f;
     passes[i] = glm::mix(math::Vec3(1.0f), tint, keys.light_alpha);
   }
   if (has_holes) passes[kHole] = math::Vec3(1.0f);
@@ -57,14 +57,13 @@ ShadowReceivers receivers_of(const SurfaceKeys& keys) {
   return keys.shadows_world_only ? ShadowReceivers::kWorld : ShadowReceivers::kAll;
 }
 
-SieveSurface sieve_of(const LitLevel& lit, std::size_t number,
-                      const std::optional<formats::Palette>& palette) {
+AlphaMask sieve_of(const LitLevel& lit, std::size_t number, const std::optional<formats::Palette>& palette) {
   const world::Level& level = *lit.level;
   const world::Face& face = level.faces[number];
   const world::Texture& texture = level.texture(face.texture);
   const world::TextureAxes& axes = level.texture_axes[face.axes];
   const math::Vec3& offset = lit.offset_of(number);
-  SieveSurface sieve;
+  AlphaMask sieve;
   sieve.normal = math::Vec3(world::plane_of(level, face).normal);
   sieve.s_axis = axes.s_axis;
   sieve.t_axis = axes.t_axis;

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "base/result.h"
-#include "compiler/light/light_map_shape.h"
-#include "compiler/light/ray_scene.h"
-#include "compiler/surface_keys.h"
-#include "formats/bsp.h"
-#include "formats/palette.h"
+#include "compiler/build/surface_keys.h"
+#include "compiler/light/faces/light_map_shape.h"
+#include "compiler/light/rays/ray_scene.h"
+#include "formats/images/palette.h"
+#include "formats/levels/bsp.h"
 #include "math/vec.h"
 #include "world/level.h"
 
@@ -36,7 +36,7 @@ base::Result<LitLevel> make_lit_level(formats::Bsp bsp, FaceKeys keys);
 
 // Faces that stop light: of the world all but sky and liquids, and what asks to cast a shadow. Surfaces of
 // opaque triangles are face numbers. Texels stay the level's. `palette`: what tints light through glass;
-// without it glass is grey.
+// without it glass is gray.
 Occluders occluders_of(const LitLevel& lit, const std::optional<formats::Palette>& palette);
 
 }  // namespace temblor::compiler

@@ -9,7 +9,7 @@
 #include "base/bytes.h"
 #include "base/result.h"
 #include "compiler/light/bounce.h"
-#include "compiler/light/face_light.h"
+#include "compiler/light/faces/face_light.h"
 #include "compiler/light/lit_level.h"
 
 namespace temblor::compiler {

@@ -5,21 +5,21 @@
 namespace temblor::compiler {
 namespace {
 
-std::uint8_t index_of(std::uint32_t argb, bool has_holes, const formats::MipColours& colours) {
+std::uint8_t index_of(std::uint32_t argb, bool has_holes, const formats::MipColors& colors) {
   const auto byte = [argb](int shift) { return static_cast<std::uint8_t>(argb >> shift); };
   constexpr std::uint8_t kHalfOpaque = 128;
   if (has_holes && byte(24) < kHalfOpaque) return formats::kTransparentIndex;
-  const formats::Rgb colour{byte(16), byte(8), byte(0)};
-  const std::uint8_t dull = colours.dull.find(colour);
-  if (colours.palette[dull] == colour) return dull;
-  const std::uint8_t bright = colours.bright.find(colour);
-  return colours.palette[bright] == colour ? bright : dull;
+  const formats::Rgb color{byte(16), byte(8), byte(0)};
+  const std::uint8_t dull = colors.dull.find(color);
+  if (colors.palette[dull] == color) return dull;
+  const std::uint8_t bright = colors.bright.find(color);
+  return colors.palette[bright] == color ? bright : dull;
 }
 
 }  // namespace
 
 base::Result<formats::WadTexture> texture_from_image(std::string_view name, const formats::Image& image,
-                                                     const formats::MipColours& colours) {
+                                                     const formats::MipColors& colors) {
   constexpr std::uint32_t kSideMultiple = 16;
   if (image.width % kSideMultiple != 0 || image.height % kSideMultiple != 0)
     return base::error(base::ErrorCode::kUsage, "{} x {} pixels: a texture's sides are multiples of {}",
@@ -27,10 +27,10 @@ base::Result<formats::WadTexture> texture_from_image(std::string_view name, cons
   const bool has_holes = name.starts_with('{');
   std::vector<std::uint8_t> indices;
   indices.reserve(image.pixels.size());
-  for (const std::uint32_t pixel : image.pixels) indices.push_back(index_of(pixel, has_holes, colours));
+  for (const std::uint32_t pixel : image.pixels) indices.push_back(index_of(pixel, has_holes, colors));
   return formats::WadTexture{
       std::string(name), image.width, image.height,
-      formats::build_mips(std::move(indices), image.width, image.height, has_holes, colours)};
+      formats::build_mips(std::move(indices), image.width, image.height, has_holes, colors)};
 }
 
 }  // namespace temblor::compiler

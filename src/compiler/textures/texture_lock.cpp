@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "compiler/texture_axes.h"
+#include "compiler/textures/texture_axes.h"
 
 namespace temblor::compiler {
 namespace {

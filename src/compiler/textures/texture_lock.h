@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "formats/map.h"
+#include "formats/levels/map.h"
 #include "math/vec.h"
 
 namespace temblor::compiler {

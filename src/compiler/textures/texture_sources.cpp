@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/text.h"
-#include "formats/wad3_texture.h"
-#include "formats/wad_texture.h"
+#include "formats/images/wad3_texture.h"
+#include "formats/images/wad_texture.h"
 
 namespace temblor::compiler {
 namespace {
@@ -61,8 +61,8 @@ base::Result<formats::BspMiptex> TextureSources::read(const Source& source, cons
   if (source.is_wad3) {
     TRY(formats::Wad3Texture wad3_texture, formats::read_wad3_texture(lump.data));
     wad3_texture.texture.name = lump.name;  // which says whether it has holes
-    if (!dull_colours_) dull_colours_.emplace(palette_, 0, formats::kFirstFullbright);
-    texture = formats::recoloured(wad3_texture, palette_, *dull_colours_);
+    if (!dull_colors_) dull_colors_.emplace(palette_, 0, formats::kFirstFullbright);
+    texture = formats::recolored(wad3_texture, palette_, *dull_colors_);
   } else {
     TRY(texture, formats::read_wad_texture(lump.data));
   }

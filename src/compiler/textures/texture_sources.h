@@ -12,9 +12,9 @@
 #include "base/result.h"
 #include "compiler/report.h"
 #include "compiler/texture_set.h"
-#include "formats/bsp.h"
-#include "formats/nearest_colour.h"
-#include "formats/wad.h"
+#include "formats/archives/wad.h"
+#include "formats/images/nearest_color.h"
+#include "formats/levels/bsp.h"
 
 namespace temblor::compiler {
 
@@ -50,7 +50,7 @@ class TextureSources {
   std::vector<Source> sources_;
   std::unordered_map<std::string, Place> places_;
   formats::Palette palette_;
-  std::optional<formats::NearestColour> dull_colours_;  // made when the first WAD3 texture is read
+  std::optional<formats::NearestColor> dull_colors_;  // made when the first WAD3 texture is read
 };
 
 }  // namespace temblor::compiler

@@ -1,7 +1,7 @@
 // How entities begin: baselines of those that will move, and all there is of those that never do.
 #pragma once
 
-#include "net/server_message.h"
+#include "net/protocol/server_message.h"
 #include "net/wire/field_reader.h"
 #include "net/wire/field_writer.h"
 

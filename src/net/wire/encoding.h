@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "net/protocol.h"
+#include "net/protocol/protocol.h"
 
 namespace temblor::net {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "net/server_message.h"
+#include "net/protocol/server_message.h"
 #include "net/wire/field_reader.h"
 #include "net/wire/field_writer.h"
 

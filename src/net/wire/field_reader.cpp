@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "net/server_message.h"
+#include "net/protocol/server_message.h"
 
 namespace temblor::net {
 

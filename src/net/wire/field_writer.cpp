@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "net/server_message.h"
+#include "net/protocol/server_message.h"
 
 namespace temblor::net {
 

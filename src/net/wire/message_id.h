@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "net/server_message.h"
+#include "net/protocol/server_message.h"
 
 namespace temblor::net {
 

@@ -22,7 +22,7 @@ struct PacketHeader {
   std::uint32_t sequence = 0;
 };
 
-// Whether these bytes claim to be a control packet, which has a header of its own (net/control.h).
+// Whether these bytes claim to be a control packet, which has a header of its own (net/transport/control.h).
 bool is_control_packet(base::Bytes packet);
 
 // kMalformed, naming what is wrong: too short, a length that is not the packet's, flags that no kind has, an

@@ -17,7 +17,7 @@ Particles read_particles(FieldReader& io_fields) {
     particles.direction[axis] = static_cast<float>(io_fields.i8()) / kDirectionSteps;
   const std::uint8_t count = io_fields.u8();
   particles.count = count == kExplosionCount ? kExplosionParticles : count;
-  particles.colour = io_fields.u8();
+  particles.color = io_fields.u8();
   return particles;
 }
 
@@ -25,7 +25,7 @@ Fog read_fog(FieldReader& io_fields) {
   Fog fog;
   fog.density = static_cast<float>(io_fields.u8()) / kFogSteps;
   for (int channel = 0; channel < 3; ++channel)
-    fog.colour[channel] = static_cast<float>(io_fields.u8()) / kFogSteps;
+    fog.color[channel] = static_cast<float>(io_fields.u8()) / kFogSteps;
   fog.fade_s = static_cast<float>(std::max<std::int16_t>(io_fields.i16(), 0)) / kFogTimeSteps;
   return fog;
 }
@@ -40,13 +40,13 @@ void write_particles(const Particles& message, FieldWriter& io_fields) {
     io_fields.refuse("{} particles are more than {}, and not {}", message.count, kExplosionCount - 1,
                      kExplosionParticles);
   io_fields.u8(explosion ? kExplosionCount : static_cast<std::uint8_t>(message.count));
-  io_fields.u8(message.colour);
+  io_fields.u8(message.color);
 }
 
 void write_fog(const Fog& message, FieldWriter& io_fields) {
   io_fields.id(MessageId::kFog);
   io_fields.steps8(message.density, kFogSteps);
-  for (int channel = 0; channel < 3; ++channel) io_fields.steps8(message.colour[channel], kFogSteps);
+  for (int channel = 0; channel < 3; ++channel) io_fields.steps8(message.color[channel], kFogSteps);
   io_fields.i16(static_cast<std::int16_t>(nearest_step(message.fade_s, kFogTimeSteps, 0, 32767)));
 }
 

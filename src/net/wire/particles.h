@@ -1,7 +1,7 @@
 // Bursts of particles, and fog: what the air is full of.
 #pragma once
 
-#include "net/server_message.h"
+#include "net/protocol/server_message.h"
 #include "net/wire/field_reader.h"
 #include "net/wire/field_writer.h"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "net/server_message.h"
+#include "net/protocol/server_message.h"
 #include "net/wire/field_reader.h"
 #include "net/wire/field_writer.h"
 

@@ -1,7 +1,7 @@
 // Sounds that start, stop, or never end.
 #pragma once
 
-#include "net/server_message.h"
+#include "net/protocol/server_message.h"
 #include "net/wire/field_reader.h"
 #include "net/wire/field_writer.h"
 

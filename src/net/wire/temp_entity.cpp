@@ -26,8 +26,8 @@ TempEntity read_temp_entity(FieldReader& io_fields) {
   }
   entity.origin = io_fields.coords();
   if (entity.kind == TempEntityKind::kExplosion2) {
-    entity.colour_start = io_fields.u8();
-    entity.colour_count = io_fields.u8();
+    entity.color_start = io_fields.u8();
+    entity.color_count = io_fields.u8();
   }
   return entity;
 }
@@ -39,8 +39,8 @@ void write_temp_entity(const TempEntity& message, FieldWriter& io_fields) {
   io_fields.coords(message.origin);
   if (is_beam(message.kind)) io_fields.coords(message.end);
   if (message.kind == TempEntityKind::kExplosion2) {
-    io_fields.u8(message.colour_start);
-    io_fields.u8(message.colour_count);
+    io_fields.u8(message.color_start);
+    io_fields.u8(message.color_count);
   }
 }
 

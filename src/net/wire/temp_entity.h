@@ -1,7 +1,7 @@
 // Temporary entities: things that happen at a place and leave nothing behind.
 #pragma once
 
-#include "net/server_message.h"
+#include "net/protocol/server_message.h"
 #include "net/wire/field_reader.h"
 #include "net/wire/field_writer.h"
 

@@ -16,7 +16,7 @@ struct Halves {
 };
 
 // Cuts a polygon in two; a corner on the plane belongs to both. Points of the cut are worked out from the
-// front corner to the back one, so that neighbours cut the edge that they share in the same place.
+// front corner to the back one, so that neighbors cut the edge that they share in the same place.
 Halves split(Corners corners, const math::Vec3d& normal, double distance, base::Arena& arena) {
   base::ArenaVector<math::Vec3d> front(arena, corners.size() + 4), back(arena, corners.size() + 4);
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -59,7 +59,7 @@ void emit_pieces(const world::Level& level, const VisibleFaces& visible, const B
     if (part.child.is_leaf()) {
       const std::size_t leaf = base::to_size(part.child.leaf());
       const SortKey key = visible.leaf_keys[leaf];
-      if (key != kNotVisited && level.leafs[leaf].contents != world::Contents::kSolid)
+      if (key != kNotVisited && level.leaves[leaf].contents != world::Contents::kSolid)
         io_emitter.add_piece(part.corners, face.instance, face.face, face.tiles, key, face.depth);
       continue;
     }

@@ -9,7 +9,7 @@ inline double crossing(double x_first, double step, double rows_below_first) {
   return x > 0 ? x : 0;  // the order of comparison that is one instruction
 }
 
-// The first pixel whose centre is not left of x, from 0 on. (std::ceil is a call on processors without
+// The first pixel whose center is not left of x, from 0 on. (std::ceil is a call on processors without
 // SSE 4.1.)
 inline int first_pixel(double x) {
   const int whole = static_cast<int>(x);

@@ -30,8 +30,8 @@ EdgeEmitter::EdgeEmitter(const ViewFrame& view, base::Arena& arena)
       surfaces_(arena, 512),
       pieces_(arena, 64) {}
 
-EdgeEmitter::Corner EdgeEmitter::project(const math::Vec3d& world, world::FaceIndex neighbour) const {
-  Corner corner{view_.to_view(world), math::Vec2d(0.0), kClipNear, neighbour};
+EdgeEmitter::Corner EdgeEmitter::project(const math::Vec3d& world, world::FaceIndex neighbor) const {
+  Corner corner{view_.to_view(world), math::Vec2d(0.0), kClipNear, neighbor};
   if (corner.view.z < view_.near_z) return corner;
   corner.screen = view_.to_screen(corner.view);
   corner.beyond =
@@ -40,7 +40,7 @@ EdgeEmitter::Corner EdgeEmitter::project(const math::Vec3d& world, world::FaceIn
   return corner;
 }
 
-// Worked out from the end behind the plane, so that neighbours, who walk the side in opposite directions,
+// Worked out from the end behind the plane, so that neighbors, who walk the side in opposite directions,
 // meet in one point.
 math::Vec2d EdgeEmitter::cross_near(const Corner& a, const Corner& b) const {
   const auto& [behind, before] =
@@ -54,13 +54,13 @@ math::Vec2d EdgeEmitter::cross_near(const Corner& a, const Corner& b) const {
 void EdgeEmitter::add_outline(Beyond beyond) {
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const Corner& here = corners_[i];
-    if ((here.beyond & kClipNear) == 0) screen_corners_.push_back({here.screen, here.neighbour});
+    if ((here.beyond & kClipNear) == 0) screen_corners_.push_back({here.screen, here.neighbor});
     if ((beyond.any & kClipNear) == 0) continue;
     // Where the outline goes behind the near plane it is closed along that plane, to where it comes back.
     const Corner& next = corners_[i + 1 < corners_.size() ? i + 1 : 0];
     if (((here.beyond ^ next.beyond) & kClipNear) == 0) continue;
     const bool comes_back = (here.beyond & kClipNear) != 0;
-    screen_corners_.push_back({cross_near(here, next), comes_back ? here.neighbour : kNoNeighbour});
+    screen_corners_.push_back({cross_near(here, next), comes_back ? here.neighbor : kNoNeighbor});
   }
   corner_end_.push_back(static_cast<std::uint32_t>(screen_corners_.size()));
 }
@@ -78,7 +78,7 @@ void EdgeEmitter::add_world_face(const VisibleFace& visible, const FaceOutlines&
   corners_.clear();
   for (std::uint32_t i = 0; i < outline.corner_count; ++i) {
     const OutlineCorner& corner = outlines.corners[outline.first_corner + i];
-    corners_.push_back(project(math::Vec3d(corner.position), corner.neighbour));
+    corners_.push_back(project(math::Vec3d(corner.position), corner.neighbor));
     beyond.add(corners_.back().beyond);
     nearest_z = std::min(nearest_z, corners_.back().view.z);
   }
@@ -93,7 +93,7 @@ void EdgeEmitter::add_piece(std::span<const math::Vec3d> corners_world, std::uin
   Beyond beyond;
   corners_.clear();
   for (const math::Vec3d& corner : corners_world) {
-    corners_.push_back(project(corner, kNoNeighbour));
+    corners_.push_back(project(corner, kNoNeighbor));
     beyond.add(corners_.back().beyond);
   }
   if (beyond.all != 0) return;
@@ -138,8 +138,8 @@ void EdgeEmitter::make_edges(SurfaceIndex first, std::span<const SurfaceIndex> s
     for (std::size_t corner = begin; corner < end; ++corner) {
       const ScreenCorner& here = screen_corners_[corner];
       SurfaceIndex across = kBackground;
-      if (shares && here.neighbour != kNoNeighbour) {
-        across = surface_of_face[base::to_size(here.neighbour)];
+      if (shares && here.neighbor != kNoNeighbor) {
+        across = surface_of_face[base::to_size(here.neighbor)];
         if (across != kBackground && across < surface) continue;
       }
       make_edge(here.at, screen_corners_[corner + 1 < end ? corner + 1 : begin].at, surface, across);

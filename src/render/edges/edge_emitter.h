@@ -10,7 +10,7 @@
 namespace temblor::render {
 
 // First outlines are added. When every job is done with that, all surfaces get their numbers, and only then
-// can edges be made: which of two neighbours makes their common edge depends on both numbers.
+// can edges be made: which of two neighbors makes their common edge depends on both numbers.
 // Emitters lie beside one another and each is used by another thread: none shares a cache line.
 class alignas(64) EdgeEmitter {
  public:
@@ -41,12 +41,12 @@ class alignas(64) EdgeEmitter {
     math::Vec3d view;
     math::Vec2d screen;  // unless beyond the near plane
     int beyond;
-    world::FaceIndex neighbour;
+    world::FaceIndex neighbor;
   };
   // A corner of what is before the near plane, and who is across the side from there to the next one.
   struct ScreenCorner {
     math::Vec2d at;
-    world::FaceIndex neighbour;
+    world::FaceIndex neighbor;
   };
   struct Beyond {
     int all = kClipAll, any = 0;
@@ -56,7 +56,7 @@ class alignas(64) EdgeEmitter {
     }
   };
 
-  Corner project(const math::Vec3d& world, world::FaceIndex neighbour) const;
+  Corner project(const math::Vec3d& world, world::FaceIndex neighbor) const;
   // The corners of corners_ as an outline on the screen.
   void add_outline(Beyond beyond);
   math::Vec2d cross_near(const Corner& a, const Corner& b) const;

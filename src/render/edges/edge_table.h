@@ -1,5 +1,5 @@
 // Stage 3. VisibleFaces and brush models -> EdgeTable: every drawn face's outline on the screen, an edge
-// between two neighbours stored once (Abrash, "Sorted Spans in Action").
+// between two neighbors stored once (Abrash, "Sorted Spans in Action").
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ enum class SurfaceIndex : std::uint32_t {};
 constexpr SurfaceIndex kBackground{0};
 
 // Row y, from first_row to last_row, is crossed at x = x_first + step * (y - first_row): computed, never
-// accumulated, so that a band of rows may start anywhere. Pixels with centres at or right of x lie right of
+// accumulated, so that a band of rows may start anywhere. Pixels with centers at or right of x lie right of
 // the edge. Going right, `trailing` ends here and `leading` begins (kBackground: none).
 struct Edge {
   double x_first, step;
@@ -54,15 +54,17 @@ struct EdgeTable {
   std::span<const ModelView> model_views;  // by ScreenSurface::instance; 0 is the world's
   std::uint32_t item_count = 0;            // item 0 is the background
   // The last surfaces are those of late faces: none of the edges above bounds them. Each has its own, those
-  // of late surface i from late_edges[late_edge_begin[i]] on.
-  std::span<const Edge> late_edges{};
-  std::span<const std::uint32_t> late_edge_begin{};  // one more than there are late surfaces, or none
+  // of late surface i from deferred_edges[deferred_edge_begin[i]] on.
+  std::span<const Edge> deferred_edges{};
+  std::span<const std::uint32_t> deferred_edge_begin{};  // one more than there are late surfaces, or none
 
-  std::size_t late_count() const { return late_edge_begin.empty() ? 0 : late_edge_begin.size() - 1; }
-  std::size_t first_late() const { return surfaces.size() - late_count(); }
+  std::size_t deferred_count() const {
+    return deferred_edge_begin.empty() ? 0 : deferred_edge_begin.size() - 1;
+  }
+  std::size_t first_late() const { return surfaces.size() - deferred_count(); }
   // Items of late surfaces come after those of all others.
-  std::uint32_t first_late_item() const {
-    return late_count() == 0 ? item_count : surfaces[first_late()].first_item;
+  std::uint32_t first_deferred_item() const {
+    return deferred_count() == 0 ? item_count : surfaces[first_late()].first_item;
   }
 };
 

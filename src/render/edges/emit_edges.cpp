@@ -21,10 +21,10 @@ constexpr std::size_t kJobsAThread = 4;
 // Whether the model may be on the screen: a sphere round it against the frustum.
 bool in_frustum(const ViewFrame& view, const ModelView& model_view, const math::Bounds& bounds) {
   const math::Vec3d mins(bounds.mins), maxs(bounds.maxs);
-  const math::Vec3d centre = model_view.to_world((mins + maxs) * 0.5);
+  const math::Vec3d center = model_view.to_world((mins + maxs) * 0.5);
   const double radius = glm::length(maxs - mins) / 2;
   return std::all_of(view.frustum.begin(), view.frustum.end(), [&](const FrustumPlane& plane) {
-    return glm::dot(plane.normal, centre) + plane.offset >= -radius * glm::length(plane.normal);
+    return glm::dot(plane.normal, center) + plane.offset >= -radius * glm::length(plane.normal);
   });
 }
 
@@ -42,8 +42,8 @@ struct FaceSequence {
   std::size_t face_count;
 };
 
-FaceSequence line_up_faces(const Scene& scene, const ViewFrame& view, std::size_t world_faces,
-                           base::Arena& arena) {
+FaceSequence order_faces(const Scene& scene, const ViewFrame& view, std::size_t world_faces,
+                         base::Arena& arena) {
   const world::Level& level = *scene.level;
   std::span<ModelView> model_views = arena.allocate<ModelView>(scene.brush_models.size() + 1);
   base::ArenaVector<ShownModel> shown(arena, scene.brush_models.size());
@@ -70,7 +70,7 @@ struct NumberedSurfaces {
   std::uint32_t item_count = 1;     // item 0 is the background
 };
 
-// The last job's faces are late, and nobody's neighbours.
+// The last job's faces are late, and nobody's neighbors.
 NumberedSurfaces number_surfaces(std::span<const EdgeEmitter> emitters, std::size_t level_faces,
                                  base::Arena& arena) {
   std::size_t surface_count = 1, piece_count = 0;
@@ -140,8 +140,8 @@ void gather_edges(EdgeEmitter& io_emitter, std::size_t first, std::span<Edge> ou
 }
 
 // Where each late surface's edges begin: they were made surface by surface.
-std::span<const std::uint32_t> find_late_edges(const EdgeEmitter& late, SurfaceIndex first,
-                                               base::Arena& arena) {
+std::span<const std::uint32_t> find_deferred_edges(const EdgeEmitter& late, SurfaceIndex first,
+                                                   base::Arena& arena) {
   const std::span<std::uint32_t> begin = arena.allocate<std::uint32_t>(late.surfaces().size() + 1);
   std::size_t surface = 0;
   for (std::uint32_t i = 0; i < late.edges().size(); ++i) {
@@ -164,7 +164,7 @@ EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFac
                      const FaceOutlines& outlines, base::Jobs& jobs, base::Arena& arena,
                      std::vector<EdgeJobArenas>& io_job_arenas, std::size_t faces_a_job) {
   const std::size_t world_faces = visible.faces.size();
-  const FaceSequence sequence = line_up_faces(scene, view, world_faces, arena);
+  const FaceSequence sequence = order_faces(scene, view, world_faces, arena);
   const std::size_t job_count = choose_job_count(sequence.face_count, faces_a_job, jobs.threads());
   if (io_job_arenas.size() <= job_count) io_job_arenas.resize(job_count + 1);
   // One more, for late faces.
@@ -188,7 +188,7 @@ EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFac
     arenas.faces.reset();
     EdgeEmitter& emitter = *std::construct_at(&emitters[job], view, arenas.faces);
     if (job == job_count) {
-      for (const VisibleFace& face : visible.late_faces) emitter.add_world_face(face, outlines);
+      for (const VisibleFace& face : visible.deferred_faces) emitter.add_world_face(face, outlines);
       add_brush_faces(0, sequence.face_count, true, arenas.pieces, emitter);
       return;
     }
@@ -211,8 +211,8 @@ EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFac
     gather_edges(emitters[job], places.first_of_job[job], edges, order);
   });
   const std::span<const Edge> made_late = emitters[job_count].edges();
-  const std::span<Edge> late_edges = arena.allocate<Edge>(made_late.size());
-  std::copy(made_late.begin(), made_late.end(), late_edges.begin());
+  const std::span<Edge> deferred_edges = arena.allocate<Edge>(made_late.size());
+  std::copy(made_late.begin(), made_late.end(), deferred_edges.begin());
   return {edges,
           order,
           places.row_begin,
@@ -220,8 +220,8 @@ EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFac
           numbered.pieces,
           sequence.model_views,
           numbered.item_count,
-          late_edges,
-          find_late_edges(emitters[job_count], numbered.first_of_job[job_count], arena)};
+          deferred_edges,
+          find_deferred_edges(emitters[job_count], numbered.first_of_job[job_count], arena)};
 }
 
 }  // namespace temblor::render

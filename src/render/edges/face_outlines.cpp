@@ -32,10 +32,10 @@ std::vector<EdgeUsers> find_users(const world::Level& level) {
   return users;
 }
 
-world::FaceIndex neighbour_at(const EdgeUsers& users, bool backward) {
+world::FaceIndex neighbor_at(const EdgeUsers& users, bool backward) {
   const bool between_two =
       users.forward_count == 1 && users.backward_count == 1 && users.forward != users.backward;
-  if (!between_two) return kNoNeighbour;
+  if (!between_two) return kNoNeighbor;
   return backward ? users.forward : users.backward;
 }
 
@@ -43,10 +43,10 @@ world::FaceIndex neighbour_at(const EdgeUsers& users, bool backward) {
 
 bool has_surface(const world::Face& face) {
   // What has samples is bounded by their number; of faces without, a file may hold many of any extent.
-  constexpr std::int32_t kMostExtentInTheDark = 512;
+  constexpr std::int32_t kMaxExtentInTheDark = 512;
   return face.kind == world::FaceKind::kLit &&
          (face.light != world::kNoLight ||
-          std::max(face.texture_extents[0], face.texture_extents[1]) <= kMostExtentInTheDark);
+          std::max(face.texture_extents[0], face.texture_extents[1]) <= kMaxExtentInTheDark);
 }
 
 TileGrid tile_grid(const world::Face& face) {
@@ -67,7 +67,7 @@ FaceOutlines make_face_outlines(const world::Level& level) {
         {static_cast<std::uint32_t>(outlines.corners.size()), face.surfedge_count, tile_grid(face)});
     for (std::uint32_t i = face.first_surfedge; i < face.first_surfedge + face.surfedge_count; ++i)
       outlines.corners.push_back({level.vertices[level.surfedge_start(i)],
-                                  neighbour_at(users[edge_of(level.surfedges[i])], level.surfedges[i] < 0)});
+                                  neighbor_at(users[edge_of(level.surfedges[i])], level.surfedges[i] < 0)});
   }
   return outlines;
 }

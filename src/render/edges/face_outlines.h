@@ -19,12 +19,12 @@ struct TileGrid {
 bool has_surface(const world::Face& face);
 TileGrid tile_grid(const world::Face& face);
 
-constexpr world::FaceIndex kNoNeighbour{0xffffffff};
+constexpr world::FaceIndex kNoNeighbor{0xffffffff};
 
 // A corner, and the side that runs from it to the next one.
 struct OutlineCorner {
-  math::Vec3 position;         // model space
-  world::FaceIndex neighbour;  // the only other face at this side, which walks it the other way
+  math::Vec3 position;        // model space
+  world::FaceIndex neighbor;  // the only other face at this side, which walks it the other way
 };
 
 struct FaceOutline {
@@ -37,7 +37,7 @@ struct FaceOutlines {
   std::vector<OutlineCorner> corners;  // in the order of their faces, clockwise seen from the front
 };
 
-// A side has a neighbour when two different faces use its edge, once each and in opposite directions. Levels
+// A side has a neighbor when two different faces use its edge, once each and in opposite directions. Levels
 // hold few others; those are not shared.
 FaceOutlines make_face_outlines(const world::Level& level);
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "render/edges/scan_band.h"
-#include "render/edges/scan_late_faces.h"
+#include "render/edges/scan_deferred_faces.h"
 #include "render/edges/span_table.h"
 
 namespace temblor::render {
@@ -141,8 +141,8 @@ SpanTable scan_edges(const EdgeTable& table, const Scene& scene, const ViewFrame
     const int first_row = static_cast<int>(i) * band_rows;
     const int row_count = std::min(band_rows, view.height - first_row);
     std::span<const ItemSpan> spans = scan_band(table, ranks, first_row, row_count, view.width, band_arena);
-    if (table.late_count() > 0)
-      spans = with_late_faces(spans, table, first_row, row_count, view.width, band_arena);
+    if (table.deferred_count() > 0)
+      spans = with_deferred_faces(spans, table, first_row, row_count, view.width, band_arena);
     if (!tile_planes.empty()) spans = split_at_tiles(spans, tile_planes, view.perspective, band_arena);
     bands[i] = group_by_item(spans, table.item_count, first_row, row_count, band_arena);
   });

@@ -1,4 +1,4 @@
-// Row by row: a picture's pixel is a run of `scale` pixels of one colour, cut off at the frame's sides.
+// Row by row: a picture's pixel is a run of `scale` pixels of one color, cut off at the frame's sides.
 #include "render/screen/draw_overlay.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ Clip clip_to_rows(const ScreenRect& area, const FrameBuffer& frame, const Rows& 
 // How runs of a palette index join what is there: as they are, or blended.
 class IndexedPaint {
  public:
-  IndexedPaint(float opacity, const ColourTables& tables)
+  IndexedPaint(float opacity, const ColorTables& tables)
       : table_(opacity < 1 ? tables.blends.table_for(opacity) : nullptr) {}
 
   static std::uint8_t* row(FrameBuffer& frame, std::int64_t y) {
@@ -54,22 +54,22 @@ class IndexedPaint {
 
 class RgbPaint {
  public:
-  RgbPaint(float opacity, const ColourTables& tables) : opacity_256_(opacity_256(opacity)), tables_(tables) {}
+  RgbPaint(float opacity, const ColorTables& tables) : opacity_256_(opacity_256(opacity)), tables_(tables) {}
 
   static std::uint32_t* row(FrameBuffer& frame, std::int64_t y) {
     return frame.rgb().data() + y * frame.width();
   }
   void fill(std::uint8_t index, std::uint32_t* first, std::uint32_t* end) const {
-    const std::uint32_t colour = tables_.rgb[index];
+    const std::uint32_t color = tables_.rgb[index];
     if (opacity_256_ == kOpaque256)
-      std::fill(first, end, colour);
+      std::fill(first, end, color);
     else
-      for (; first != end; ++first) *first = blend_rgb(colour, *first, opacity_256_);
+      for (; first != end; ++first) *first = blend_rgb(color, *first, opacity_256_);
   }
 
  private:
   int opacity_256_;
-  const ColourTables& tables_;
+  const ColorTables& tables_;
 };
 
 template <typename Paint>
@@ -115,7 +115,7 @@ void check_command(const DrawCommand& command) {
 }
 
 template <typename Paint>
-void draw_rows(const DrawList& list, const ColourTables& tables, const Rows& rows, FrameBuffer& io_frame) {
+void draw_rows(const DrawList& list, const ColorTables& tables, const Rows& rows, FrameBuffer& io_frame) {
   for (const DrawCommand& command : list.commands) {
     const Clip clip = clip_to_rows(command.area, io_frame, rows);
     if (clip.is_empty() || !(command.opacity > 0)) continue;
@@ -129,7 +129,7 @@ void draw_rows(const DrawList& list, const ColourTables& tables, const Rows& row
 
 }  // namespace
 
-void draw_overlay(const DrawList& list, const ColourTables& tables, base::Jobs* jobs, FrameBuffer& io_frame) {
+void draw_overlay(const DrawList& list, const ColorTables& tables, base::Jobs* jobs, FrameBuffer& io_frame) {
   for (const DrawCommand& command : list.commands) check_command(command);
   const auto draw =
       io_frame.format() == PixelFormat::kIndexed ? draw_rows<IndexedPaint> : draw_rows<RgbPaint>;

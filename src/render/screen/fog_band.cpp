@@ -13,11 +13,11 @@ struct SkyRun {
 };
 
 // From top to bottom and left to right.
-std::span<const SkyRun> find_sky(const Band& band, const DrawItems& items, base::Arena& arena) {
+std::span<const SkyRun> find_sky(const Band& band, const SurfaceDraws& items, base::Arena& arena) {
   base::ArenaVector<SkyRun> found(arena, 64);
   for (std::size_t position = 0; position < band.items.size(); ++position) {
     if (band.items[position] >= items.first_late) break;
-    const DrawItem& item = items.items[band.items[position]];
+    const SurfaceDraw& item = items.items[band.items[position]];
     if (item.kind != ItemKind::kSky) continue;
     for (const SpanRun& run : band.runs_at(position)) found.push_back({run, &item.depth});
   }
@@ -64,7 +64,7 @@ class FoggedRows {
 }  // namespace
 
 // Rows are fogged whole, but for the runs of sky in them.
-void fog_band(const FrameFog& fog, const Band& band, const DrawItems& items, base::Arena& arena,
+void fog_band(const FrameFog& fog, const Band& band, const SurfaceDraws& items, base::Arena& arena,
               FrameBuffer& io_frame) {
   if (!fog.is_on()) return;
   FoggedRows rows(fog, io_frame);

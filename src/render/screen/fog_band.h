@@ -2,16 +2,16 @@
 #pragma once
 
 #include "base/arena.h"
-#include "render/colour/fog.h"
+#include "render/color/fog.h"
 #include "render/edges/span_table.h"
 #include "render/frame.h"
-#include "render/surfaces/draw_items.h"
+#include "render/surfaces/surface_draws.h"
 
 namespace temblor::render {
 
 // Sky is told by the depth that drawing its spans left: what was drawn over it since is nearer. Without
 // density nothing is touched.
-void fog_band(const FrameFog& fog, const Band& band, const DrawItems& items, base::Arena& arena,
+void fog_band(const FrameFog& fog, const Band& band, const SurfaceDraws& items, base::Arena& arena,
               FrameBuffer& io_frame);
 
 }  // namespace temblor::render

@@ -12,8 +12,8 @@ namespace temblor::render {
 void present(const FrameBuffer& frame, const formats::Palette& palette, bool vector_kernels, base::Jobs& jobs,
              std::span<std::uint32_t> out) {
   CHECK(out.size() == frame.pixel_count(), "{} pixels for a frame of {}", out.size(), frame.pixel_count());
-  std::array<std::uint32_t, 256> colours;
-  for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = to_rgb(palette[i]);
+  std::array<std::uint32_t, 256> colors;
+  for (std::size_t i = 0; i < colors.size(); ++i) colors[i] = to_rgb(palette[i]);
   const std::size_t width = static_cast<std::size_t>(frame.width());
   const std::size_t height = static_cast<std::size_t>(frame.height());
   const std::size_t slices = std::min<std::size_t>(height, static_cast<std::size_t>(jobs.threads()) * 4);
@@ -23,8 +23,8 @@ void present(const FrameBuffer& frame, const formats::Palette& palette, bool vec
       std::memcpy(out.data() + first, frame.rgb().data() + first, (last - first) * sizeof(std::uint32_t));
       return;
     }
-    const auto expand = vector_kernels ? expand_palette_vector : expand_palette_plain;
-    expand(frame.indexed().data() + first, last - first, colours.data(), out.data() + first);
+    const auto expand = vector_kernels ? expand_palette_simd : expand_palette_scalar;
+    expand(frame.indexed().data() + first, last - first, colors.data(), out.data() + first);
   });
 }
 

@@ -6,10 +6,10 @@
 
 namespace temblor::render {
 
-// out[i] = colours[indices[i]].
-void expand_palette_plain(const std::uint8_t* indices, std::size_t count, const std::uint32_t* colours,
-                          std::uint32_t* out);
-void expand_palette_vector(const std::uint8_t* indices, std::size_t count, const std::uint32_t* colours,
+// out[i] = colors[indices[i]].
+void expand_palette_scalar(const std::uint8_t* indices, std::size_t count, const std::uint32_t* colors,
                            std::uint32_t* out);
+void expand_palette_simd(const std::uint8_t* indices, std::size_t count, const std::uint32_t* colors,
+                         std::uint32_t* out);
 
 }  // namespace temblor::render

@@ -9,31 +9,31 @@ namespace temblor::render {
 
 namespace {
 
-// Writes colours into either kind of frame.
+// Writes colors into either kind of frame.
 class Painter {
  public:
   Painter(const formats::Palette& palette, FrameBuffer& io_frame) : palette_(palette), frame_(io_frame) {}
 
-  void put(std::size_t pixel, formats::Rgb colour) {
+  void put(std::size_t pixel, formats::Rgb color) {
     if (frame_.format() == PixelFormat::kRgb)
-      frame_.rgb()[pixel] = to_rgb(colour);
+      frame_.rgb()[pixel] = to_rgb(color);
     else
-      frame_.indexed()[pixel] = nearest(colour);
+      frame_.indexed()[pixel] = nearest(color);
   }
 
  private:
-  // The palette entry most like it; the last one found is remembered, for runs of one colour.
-  std::uint8_t nearest(formats::Rgb colour) {
-    if (colour == last_) return last_index_;
+  // The palette entry most like it; the last one found is remembered, for runs of one color.
+  std::uint8_t nearest(formats::Rgb color) {
+    if (color == last_) return last_index_;
     int best = std::numeric_limits<int>::max();
     for (std::size_t i = 0; i < palette_.size(); ++i) {
-      const int r = palette_[i].r - colour.r, g = palette_[i].g - colour.g, b = palette_[i].b - colour.b;
+      const int r = palette_[i].r - color.r, g = palette_[i].g - color.g, b = palette_[i].b - color.b;
       if (const int distance = r * r + g * g + b * b; distance < best) {
         best = distance;
         last_index_ = static_cast<std::uint8_t>(i);
       }
     }
-    last_ = colour;
+    last_ = color;
     return last_index_;
   }
 
@@ -43,8 +43,8 @@ class Painter {
   std::uint8_t last_index_ = 0;
 };
 
-// The same number, the same colour; neighbours differ well.
-formats::Rgb colour_of(std::uint32_t number) {
+// The same number, the same color; neighbors differ well.
+formats::Rgb color_of(std::uint32_t number) {
   std::uint32_t mixed = number * 0x9e3779b9u;
   mixed ^= mixed >> 15;
   mixed *= 0x85ebca6bu;
@@ -55,12 +55,12 @@ formats::Rgb colour_of(std::uint32_t number) {
   return {channel(0), channel(8), channel(16)};
 }
 
-formats::Rgb grey(double brightness) {
+formats::Rgb gray(double brightness) {
   const auto value = static_cast<std::uint8_t>(std::clamp(brightness, 0.0, 1.0) * 255);
   return {value, value, value};
 }
 
-constexpr formats::Rgb kMipColours[4] = {{220, 60, 50}, {230, 180, 40}, {70, 180, 80}, {60, 100, 220}};
+constexpr formats::Rgb kMipColors[4] = {{220, 60, 50}, {230, 180, 40}, {70, 180, 80}, {60, 100, 220}};
 
 template <typename Body>  // Body(item number, run)
 void for_each_run(const SpanTable& spans, Body body) {
@@ -74,11 +74,11 @@ std::size_t first_pixel(const FrameBuffer& frame, const SpanRun& run) {
   return std::size_t{run.y} * static_cast<std::size_t>(frame.width()) + run.x;
 }
 
-// Every span in the colour that `colour` gives its item (and run).
-template <typename Colour>
-void fill_spans(const SpanTable& spans, Painter& painter, const FrameBuffer& frame, Colour colour) {
+// Every span in the color that `color` gives its item (and run).
+template <typename Color>
+void fill_spans(const SpanTable& spans, Painter& painter, const FrameBuffer& frame, Color color) {
   for_each_run(spans, [&](std::uint32_t item, const SpanRun& run) {
-    const formats::Rgb shown = colour(item, run);
+    const formats::Rgb shown = color(item, run);
     for (std::size_t i = 0; i < run.count; ++i) painter.put(first_pixel(frame, run) + i, shown);
   });
 }
@@ -87,7 +87,7 @@ void fill_spans(const SpanTable& spans, Painter& painter, const FrameBuffer& fra
 void draw_edges(const EdgeTable& table, Painter& painter, const FrameBuffer& frame) {
   for (const Edge& edge : table.edges) {
     const bool shared = edge.leading != kBackground && edge.trailing != kBackground;
-    const formats::Rgb colour = shared ? formats::Rgb{255, 255, 255} : formats::Rgb{255, 220, 0};
+    const formats::Rgb color = shared ? formats::Rgb{255, 255, 255} : formats::Rgb{255, 220, 0};
     for (std::int32_t row = edge.first_row; row <= edge.last_row; ++row) {
       const double x = std::ceil(edge.x_first + edge.step * (row - edge.first_row));
       // A flat edge covers several pixels of a row.
@@ -96,25 +96,25 @@ void draw_edges(const EdgeTable& table, Painter& painter, const FrameBuffer& fra
         if (at >= 0 && at < frame.width())
           painter.put(static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.width()) +
                           static_cast<std::size_t>(at),
-                      colour);
+                      color);
     }
   }
 }
 
-// What is seen, in the colour of the first leaf that its face belongs to: the pieces that the potentially
+// What is seen, in the color of the first leaf that its face belongs to: the pieces that the potentially
 // visible set is made of.
-void draw_leafs(const ShownFrame& frame, Painter& painter, const FrameBuffer& io_frame) {
+void draw_leaves(const ShownFrame& frame, Painter& painter, const FrameBuffer& io_frame) {
   const world::Level& level = frame.level;
   std::vector<std::uint32_t> leaf_of_face(level.faces.size(), 0);
-  for (std::size_t leaf = level.leafs.size(); leaf-- > 1;) {
-    const world::Leaf& marked = level.leafs[leaf];
+  for (std::size_t leaf = level.leaves.size(); leaf-- > 1;) {
+    const world::Leaf& marked = level.leaves[leaf];
     for (std::uint32_t i = 0; i < marked.marked_face_count; ++i)
       leaf_of_face[base::to_size(level.marked_faces[marked.first_marked_face + i])] =
           static_cast<std::uint32_t>(leaf);
   }
   fill_spans(frame.spans, painter, io_frame, [&](std::uint32_t item, const SpanRun&) {
     const ScreenSurface& surface = frame.edges.surfaces[base::to_size(frame.items.items[item].surface)];
-    return item == 0 ? formats::Rgb{} : colour_of(leaf_of_face[base::to_size(surface.face)]);
+    return item == 0 ? formats::Rgb{} : color_of(leaf_of_face[base::to_size(surface.face)]);
   });
 }
 
@@ -132,7 +132,7 @@ void draw_depth(Painter& painter, FrameBuffer& io_frame) {
     const float depth = io_frame.depth()[i];
     const double brightness =
         depth == nothing ? 0 : (static_cast<double>(depth) - static_cast<double>(least)) / range;
-    painter.put(i, grey(std::sqrt(brightness)));
+    painter.put(i, gray(std::sqrt(brightness)));
   }
 }
 
@@ -147,32 +147,32 @@ void draw_shown(Show show, const ShownFrame& frame, const formats::Palette& pale
     case Show::kPicture:
       return;
     case Show::kPvs:
-      return draw_leafs(frame, painter, io_frame);
+      return draw_leaves(frame, painter, io_frame);
     case Show::kFaces:
       return fill_spans(frame.spans, painter, io_frame, [&](std::uint32_t item, const SpanRun&) {
         const ScreenSurface& surface = surface_of(item);
         return item == 0 ? formats::Rgb{}
-                         : colour_of(static_cast<std::uint32_t>(surface.face) + surface.instance * 7919);
+                         : color_of(static_cast<std::uint32_t>(surface.face) + surface.instance * 7919);
       });
     case Show::kSpans: {
       std::uint32_t number = 0;
       return fill_spans(frame.spans, painter, io_frame,
-                        [&](std::uint32_t, const SpanRun&) { return colour_of(++number); });
+                        [&](std::uint32_t, const SpanRun&) { return color_of(++number); });
     }
     case Show::kSurfaces:
       return fill_spans(frame.spans, painter, io_frame, [&](std::uint32_t item, const SpanRun&) {
-        return item == 0 ? formats::Rgb{} : colour_of(item);
+        return item == 0 ? formats::Rgb{} : color_of(item);
       });
     case Show::kMips:
       return fill_spans(frame.spans, painter, io_frame, [&](std::uint32_t item, const SpanRun&) {
-        return item == 0 ? formats::Rgb{} : kMipColours[frame.items.items[item].mip];
+        return item == 0 ? formats::Rgb{} : kMipColors[frame.items.items[item].mip];
       });
     case Show::kOverdraw: {
       std::vector<std::uint8_t> writes(io_frame.pixel_count(), 0);
       for_each_run(frame.spans, [&](std::uint32_t, const SpanRun& run) {
         for (std::size_t i = 0; i < run.count; ++i) ++writes[first_pixel(io_frame, run) + i];
       });
-      for (std::size_t i = 0; i < io_frame.pixel_count(); ++i) painter.put(i, grey(writes[i] / 4.0));
+      for (std::size_t i = 0; i < io_frame.pixel_count(); ++i) painter.put(i, gray(writes[i] / 4.0));
       return;
     }
     case Show::kEdges:

@@ -5,7 +5,7 @@
 
 #include "render/frame.h"
 #include "render/renderer.h"
-#include "render/surfaces/draw_items.h"
+#include "render/surfaces/surface_draws.h"
 
 namespace temblor::render {
 
@@ -15,7 +15,7 @@ struct ShownFrame {
   const ViewFrame& view;
   const EdgeTable& edges;
   const SpanTable& spans;
-  const DrawItems& items;
+  const SurfaceDraws& items;
 };
 
 void draw_shown(Show show, const ShownFrame& frame, const formats::Palette& palette, FrameBuffer& io_frame);

@@ -11,12 +11,12 @@ namespace temblor::render {
 struct TintJob {
   std::uint32_t* pixels;
   std::size_t count;
-  std::uint32_t colour;
+  std::uint32_t color;
   std::int32_t opacity_256;
 };
 
 // From pixel `first` on.
-void tint_rgb_plain(const TintJob& job, std::size_t first = 0);
-void tint_rgb_vector(const TintJob& job);
+void tint_rgb_scalar(const TintJob& job, std::size_t first = 0);
+void tint_rgb_simd(const TintJob& job);
 
 }  // namespace temblor::render

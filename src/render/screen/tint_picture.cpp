@@ -7,19 +7,18 @@
 
 namespace temblor::render {
 
-PictureTint::PictureTint(const Tint& tint, const ColourTables& tables, PixelFormat format,
-                         bool vector_kernels)
+PictureTint::PictureTint(const Tint& tint, const ColorTables& tables, PixelFormat format, bool vector_kernels)
     : opacity_256_(opacity_256(tint.opacity)), vector_kernels_(vector_kernels) {
   if (!changes_pixels()) return;
-  const formats::Rgb colour = to_bytes(tint.colour / 255.0f);
-  rgb_ = to_rgb(colour);
+  const formats::Rgb color = to_bytes(tint.color / 255.0f);
+  rgb_ = to_rgb(color);
   if (format != PixelFormat::kIndexed) return;
   for (std::size_t i = 0; i < remap_.size(); ++i)
     remap_[i] =
-        tables.match(blend_colours(colour, tables.palette[i], opacity_256_), tables.match.is_fullbright(i));
+        tables.match(blend_colors(color, tables.palette[i], opacity_256_), tables.match.is_fullbright(i));
 }
 
-// Hot loop. Eight pixels are read before any is written: the compiler must take bytes for neighbours of the
+// Hot loop. Eight pixels are read before any is written: the compiler must take bytes for neighbors of the
 // table's.
 void PictureTint::apply(std::span<std::uint8_t> io_indexed) const {
   constexpr std::size_t kTogether = 8;
@@ -34,7 +33,7 @@ void PictureTint::apply(std::span<std::uint8_t> io_indexed) const {
 
 void PictureTint::apply(std::span<std::uint32_t> io_rgb) const {
   const TintJob job{io_rgb.data(), io_rgb.size(), rgb_, opacity_256_};
-  vector_kernels_ ? tint_rgb_vector(job) : tint_rgb_plain(job);
+  vector_kernels_ ? tint_rgb_simd(job) : tint_rgb_scalar(job);
 }
 
 void PictureTint::apply_to_rows(RowRange rows, FrameBuffer& io_frame) const {

@@ -1,4 +1,4 @@
-// Colour laid over the finished view.
+// Color laid over the finished view.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 #include <span>
 
 #include "base/parallel_for.h"
-#include "render/colour/colour_tables.h"
+#include "render/color/color_tables.h"
 #include "render/frame.h"
 #include "render/scene.h"
 
@@ -16,7 +16,7 @@ namespace temblor::render {
 class PictureTint {
  public:
   PictureTint() = default;  // changes nothing, as one whose opacity is not positive
-  PictureTint(const Tint& tint, const ColourTables& tables, PixelFormat format, bool vector_kernels);
+  PictureTint(const Tint& tint, const ColorTables& tables, PixelFormat format, bool vector_kernels);
 
   bool changes_pixels() const { return opacity_256_ > 0; }
   void apply(std::span<std::uint8_t> io_indexed) const;

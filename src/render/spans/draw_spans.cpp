@@ -10,7 +10,7 @@ namespace temblor::render {
 namespace {
 
 // Where nothing is: palette entry 0, infinitely far.
-void draw_background(std::span<const SpanRun> runs, const ColourTables& tables, bool fill_depth,
+void draw_background(std::span<const SpanRun> runs, const ColorTables& tables, bool fill_depth,
                      FrameBuffer& io_frame) {
   for (const SpanRun& run : runs) {
     const std::size_t first = std::size_t{run.y} * static_cast<std::size_t>(io_frame.width()) + run.x;
@@ -26,7 +26,7 @@ void draw_background(std::span<const SpanRun> runs, const ColourTables& tables, 
 }  // namespace
 
 void draw_spans(const Settings& settings, const ViewFrame& view, const Band& band, const SpanSources& sources,
-                const ColourTables& tables, FrameBuffer& io_frame) {
+                const ColorTables& tables, FrameBuffer& io_frame) {
   const bool indexed = io_frame.format() == PixelFormat::kIndexed;
   const KernelTarget target{indexed ? static_cast<void*>(io_frame.indexed().data()) : io_frame.rgb().data(),
                             settings.fill_depth ? io_frame.depth().data() : nullptr,
@@ -34,7 +34,7 @@ void draw_spans(const Settings& settings, const ViewFrame& view, const Band& ban
   for (std::size_t position = 0; position < band.items.size(); ++position) {
     const std::uint32_t item_number = band.items[position];
     if (item_number >= sources.items.first_late) break;
-    const DrawItem& item = sources.items.items[item_number];
+    const SurfaceDraw& item = sources.items.items[item_number];
     const std::span<const SpanRun> runs = band.runs_at(position);
     if (item.kind == ItemKind::kNothing) draw_background(runs, tables, settings.fill_depth, io_frame);
     if (item.kind == ItemKind::kSurface && settings.prefetch)

@@ -1,4 +1,4 @@
-// Stage 6. SpanTable and DrawItems -> pixels and depth, band by band.
+// Stage 6. SpanTable and SurfaceDraws -> pixels and depth, band by band.
 #pragma once
 
 #include "render/frame.h"
@@ -8,6 +8,6 @@ namespace temblor::render {
 
 // All but late items.
 void draw_spans(const Settings& settings, const ViewFrame& view, const Band& band, const SpanSources& sources,
-                const ColourTables& tables, FrameBuffer& io_frame);
+                const ColorTables& tables, FrameBuffer& io_frame);
 
 }  // namespace temblor::render

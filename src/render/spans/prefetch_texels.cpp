@@ -31,7 +31,7 @@ struct TexelPoint {
 };
 
 // Nothing where the face's plane is not in front of the eye.
-std::optional<TexelPoint> texel_at(const DrawItem& item, int x, int y, bool perspective) {
+std::optional<TexelPoint> texel_at(const SurfaceDraw& item, int x, int y, bool perspective) {
   const double depth = perspective ? item.depth.at(x, y) : 1.0;
   if (depth <= 0) return std::nullopt;
   return TexelPoint{item.s.at(x, y) / depth, item.t.at(x, y) / depth};
@@ -55,7 +55,7 @@ double bounded(double value, double least, double most) {
 
 }  // namespace
 
-void prefetch_texels(const DrawItem& item, std::span<const SpanRun> runs, bool perspective,
+void prefetch_texels(const SurfaceDraw& item, std::span<const SpanRun> runs, bool perspective,
                      std::size_t bytes_per_texel) {
   const PixelBox box = box_of(runs);
   const auto top_left = texel_at(item, box.left, box.top, perspective);

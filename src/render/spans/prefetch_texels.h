@@ -6,12 +6,12 @@
 #include <span>
 
 #include "render/edges/span_run.h"
-#include "render/surfaces/draw_items.h"
+#include "render/surfaces/surface_draws.h"
 
 namespace temblor::render {
 
 // For an item of kind kSurface, and its runs in one band. A hint: draws nothing, changes nothing.
-void prefetch_texels(const DrawItem& item, std::span<const SpanRun> runs, bool perspective,
+void prefetch_texels(const SurfaceDraw& item, std::span<const SpanRun> runs, bool perspective,
                      std::size_t bytes_per_texel);
 
 }  // namespace temblor::render

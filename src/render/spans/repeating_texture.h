@@ -26,13 +26,13 @@ struct RepeatingTexture {
 };
 
 // A texture of another size is stretched to the next power of two; none is made larger than this.
-constexpr std::uint32_t kMostRepeatingTexels = 1024;
+constexpr std::uint32_t kMaxRepeatingTexels = 1024;
 
 // `convert`: palette index -> Texel as it is drawn.
 template <typename Texel, typename Convert>
 RepeatingTexture copy_repeating(const TexturePart& part, Convert convert, base::Arena& arena) {
   const auto size = [](std::uint32_t texels) {
-    return std::bit_ceil(std::clamp(texels, 1u, kMostRepeatingTexels));
+    return std::bit_ceil(std::clamp(texels, 1u, kMaxRepeatingTexels));
   };
   const std::uint32_t full_width = std::max(1u, part.texture.width >> part.mip);
   const std::uint32_t full_height = std::max(1u, part.texture.height >> part.mip);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "render/spans/sky_runs.h"
+#include "render/spans/sky_spans.h"
 
 namespace temblor::render {
 
@@ -48,7 +48,7 @@ std::uint32_t sample(const formats::Image& image, double u, double v) {
                      mean_of_two(texel(left, bottom), texel(right, bottom), x - left), y - top);
 }
 
-// What is seen along a ray that does not belong to `side` but to a neighbour of it.
+// What is seen along a ray that does not belong to `side` but to a neighbor of it.
 std::uint32_t sample_beyond(const Sides& sides, const math::Vec3d& ray, std::uint32_t empty_rgb) {
   std::size_t nearest = 0;
   for (std::size_t side = 1; side < sides.size(); ++side)
@@ -64,7 +64,7 @@ std::uint32_t sample_beyond(const Sides& sides, const math::Vec3d& ray, std::uin
 std::int32_t common_size(const Sides& sides) {
   std::uint32_t size = 1;
   for (const formats::Image& image : sides) size = std::max({size, image.width, image.height});
-  return static_cast<std::int32_t>(std::min<std::uint32_t>(size, kMostSkyboxTexels));
+  return static_cast<std::int32_t>(std::min<std::uint32_t>(size, kMaxSkyboxTexels));
 }
 
 std::uint32_t mean_of_three(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -85,7 +85,7 @@ void fill_corners(std::int32_t size, std::uint32_t* io_side) {
     }
 }
 
-// One side with its border, row by row. The border has the neighbour's texels across the edge: from either
+// One side with its border, row by row. The border has the neighbor's texels across the edge: from either
 // side, the edge itself is the mean of the same two.
 void make_side(const Sides& sides, std::size_t side, std::int32_t size, std::uint32_t empty_rgb,
                std::uint32_t* out_side) {
@@ -109,10 +109,10 @@ void make_side(const Sides& sides, std::size_t side, std::int32_t size, std::uin
 
 }  // namespace
 
-void PreparedSkybox::follow(const Skybox& skybox, const Fog& fog, const ColourTables& tables,
+void PreparedSkybox::follow(const Skybox& skybox, const Fog& fog, const ColorTables& tables,
                             PixelFormat format) {
   CHECK(skybox.identity != nullptr, "a skybox without an identity");
-  const Made made{skybox.identity, format, fog.density > 0 ? to_rgb(to_bytes(fog.colour)) : 0xff000000u};
+  const Made made{skybox.identity, format, fog.density > 0 ? to_rgb(to_bytes(fog.color)) : 0xff000000u};
   if (made == made_) return;
   made_ = made;
   size_ = common_size(skybox.sides);

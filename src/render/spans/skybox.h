@@ -1,12 +1,12 @@
 // A skybox ready to be drawn: six squares of one size in the frame's pixel format, each with a border of its
-// neighbours' texels, so that nothing shows where sides meet.
+// neighbors' texels, so that nothing shows where sides meet.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "render/colour/colour_tables.h"
+#include "render/color/color_tables.h"
 #include "render/frame.h"
 #include "render/scene.h"
 #include "render/spans/skybox_kernels.h"
@@ -15,12 +15,12 @@
 namespace temblor::render {
 
 // Larger pictures are made smaller; ones of other shapes and sizes than the largest are stretched to it.
-constexpr std::int32_t kMostSkyboxTexels = 2048;
+constexpr std::int32_t kMaxSkyboxTexels = 2048;
 
 class PreparedSkybox {
  public:
-  // Makes it ready, unless it was the last one. `fog` colours sides without a picture.
-  void follow(const Skybox& skybox, const Fog& fog, const ColourTables& tables, PixelFormat format);
+  // Makes it ready, unless it was the last one. `fog` colors sides without a picture.
+  void follow(const Skybox& skybox, const Fog& fog, const ColorTables& tables, PixelFormat format);
 
   // Of the last one; depth and runs are to be filled in.
   SkyboxRuns runs(const ViewFrame& view) const;

@@ -3,7 +3,7 @@
 //
 // The side is that of the ray's largest component (x before y before z where two are as large). Along it
 // u = (1 + s) * size / 2 + 1/2 with s from -1 to 1, and v alike: texels of the side with its border, whose
-// centres are at whole numbers. Bytes: the nearest texel. Colours: the mean of four, in 256ths.
+// centers are at whole numbers. Bytes: the nearest texel. Colors: the mean of four, in 256ths.
 #pragma once
 
 #include <cstddef>
@@ -23,15 +23,15 @@ struct SkyboxRuns {
   std::size_t run_count;
 };
 
-void draw_skybox_runs_u8_plain(const SkyboxRuns& runs, const KernelTarget& target);
-void draw_skybox_runs_u32_plain(const SkyboxRuns& runs, const KernelTarget& target);
-void draw_skybox_runs_u8_vector(const SkyboxRuns& runs, const KernelTarget& target);
-void draw_skybox_runs_u32_vector(const SkyboxRuns& runs, const KernelTarget& target);
+void draw_skybox_runs_u8_scalar(const SkyboxRuns& runs, const KernelTarget& target);
+void draw_skybox_runs_u32_scalar(const SkyboxRuns& runs, const KernelTarget& target);
+void draw_skybox_runs_u8_simd(const SkyboxRuns& runs, const KernelTarget& target);
+void draw_skybox_runs_u32_simd(const SkyboxRuns& runs, const KernelTarget& target);
 
 // One run, pixels [first, run.count) of it.
-void draw_skybox_run_u8_plain(const SkyboxRuns& runs, const SpanRun& run, std::int32_t first,
-                              const KernelTarget& target);
-void draw_skybox_run_u32_plain(const SkyboxRuns& runs, const SpanRun& run, std::int32_t first,
+void draw_skybox_run_u8_scalar(const SkyboxRuns& runs, const SpanRun& run, std::int32_t first,
                                const KernelTarget& target);
+void draw_skybox_run_u32_scalar(const SkyboxRuns& runs, const SpanRun& run, std::int32_t first,
+                                const KernelTarget& target);
 
 }  // namespace temblor::render

@@ -38,7 +38,7 @@ constexpr std::size_t kTexelPadding = 64;
 struct SurfaceRuns {
   KernelPlane depth, s, t;
   KernelDivide divide;
-  const void* texels;  // bytes or 32-bit colours; rows are `texels_a_row` apart
+  const void* texels;  // bytes or 32-bit colors; rows are `texels_a_row` apart
   std::int32_t texels_a_row;
   std::int32_t last_s, last_t;
   const SpanRun* runs;
@@ -67,25 +67,25 @@ struct SkyRuns {
   double forward[3], right[3], down[3];
   float scale;                               // texels
   float clouds_s, clouds_t, back_s, back_t;  // how far each has scrolled, from 0 to its size
-  const void* clouds;                        // texels as drawn: bytes or 32-bit colours
+  const void* clouds;                        // texels as drawn: bytes or 32-bit colors
   const void* back;
   std::int32_t width, height;  // of either layer; rows follow one another
   const SpanRun* runs;
   std::size_t run_count;
 };
 
-void draw_surface_runs_u8_plain(const SurfaceRuns& runs, const KernelTarget& target);
-void draw_surface_runs_u32_plain(const SurfaceRuns& runs, const KernelTarget& target);
-void draw_repeat_runs_u8_plain(const RepeatRuns& runs, const KernelTarget& target);
-void draw_repeat_runs_u32_plain(const RepeatRuns& runs, const KernelTarget& target);
-void draw_sky_runs_u8_plain(const SkyRuns& runs, const KernelTarget& target);
-void draw_sky_runs_u32_plain(const SkyRuns& runs, const KernelTarget& target);
+void draw_surface_runs_u8_scalar(const SurfaceRuns& runs, const KernelTarget& target);
+void draw_surface_runs_u32_scalar(const SurfaceRuns& runs, const KernelTarget& target);
+void draw_repeat_runs_u8_scalar(const RepeatRuns& runs, const KernelTarget& target);
+void draw_repeat_runs_u32_scalar(const RepeatRuns& runs, const KernelTarget& target);
+void draw_sky_runs_u8_scalar(const SkyRuns& runs, const KernelTarget& target);
+void draw_sky_runs_u32_scalar(const SkyRuns& runs, const KernelTarget& target);
 
-void draw_surface_runs_u8_vector(const SurfaceRuns& runs, const KernelTarget& target);
-void draw_surface_runs_u32_vector(const SurfaceRuns& runs, const KernelTarget& target);
-void draw_repeat_runs_u8_vector(const RepeatRuns& runs, const KernelTarget& target);
-void draw_repeat_runs_u32_vector(const RepeatRuns& runs, const KernelTarget& target);
-void draw_sky_runs_u8_vector(const SkyRuns& runs, const KernelTarget& target);
-void draw_sky_runs_u32_vector(const SkyRuns& runs, const KernelTarget& target);
+void draw_surface_runs_u8_simd(const SurfaceRuns& runs, const KernelTarget& target);
+void draw_surface_runs_u32_simd(const SurfaceRuns& runs, const KernelTarget& target);
+void draw_repeat_runs_u8_simd(const RepeatRuns& runs, const KernelTarget& target);
+void draw_repeat_runs_u32_simd(const RepeatRuns& runs, const KernelTarget& target);
+void draw_sky_runs_u8_simd(const SkyRuns& runs, const KernelTarget& target);
+void draw_sky_runs_u32_simd(const SkyRuns& runs, const KernelTarget& target);
 
 }  // namespace temblor::render

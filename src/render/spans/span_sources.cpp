@@ -1,8 +1,8 @@
 #include "render/spans/span_sources.h"
 
 #include "render/spans/kernel_planes.h"
-#include "render/spans/repeat_runs.h"
-#include "render/spans/sky_runs.h"
+#include "render/spans/repeat_spans.h"
+#include "render/spans/sky_spans.h"
 
 namespace temblor::render {
 
@@ -13,7 +13,7 @@ KernelDivide divide_of(const Settings& settings, const ViewFrame& view) {
   return settings.perspective == Perspective::kExact ? KernelDivide::kEveryPixel : KernelDivide::kEvery16;
 }
 
-void draw_surface(const SpanSources& sources, const DrawItem& item, std::span<const SpanRun> runs,
+void draw_surface(const SpanSources& sources, const SurfaceDraw& item, std::span<const SpanRun> runs,
                   const KernelTarget& target) {
   const SurfaceRuns job{kernel_plane(item.depth),
                         kernel_plane(item.s),
@@ -26,34 +26,34 @@ void draw_surface(const SpanSources& sources, const DrawItem& item, std::span<co
                         runs.data(),
                         runs.size()};
   if (sources.format == PixelFormat::kIndexed)
-    sources.vector_kernels ? draw_surface_runs_u8_vector(job, target)
-                           : draw_surface_runs_u8_plain(job, target);
+    sources.vector_kernels ? draw_surface_runs_u8_simd(job, target)
+                           : draw_surface_runs_u8_scalar(job, target);
   else
-    sources.vector_kernels ? draw_surface_runs_u32_vector(job, target)
-                           : draw_surface_runs_u32_plain(job, target);
+    sources.vector_kernels ? draw_surface_runs_u32_simd(job, target)
+                           : draw_surface_runs_u32_scalar(job, target);
 }
 
-void draw_sky(const SpanSources& sources, SkyRuns job, const DrawItem& item, std::span<const SpanRun> runs,
+void draw_sky(const SpanSources& sources, SkyRuns job, const SurfaceDraw& item, std::span<const SpanRun> runs,
               const KernelTarget& target) {
   job.depth = kernel_plane(item.depth);
   job.runs = runs.data();
   job.run_count = runs.size();
   if (sources.format == PixelFormat::kIndexed)
-    sources.vector_kernels ? draw_sky_runs_u8_vector(job, target) : draw_sky_runs_u8_plain(job, target);
+    sources.vector_kernels ? draw_sky_runs_u8_simd(job, target) : draw_sky_runs_u8_scalar(job, target);
   else
-    sources.vector_kernels ? draw_sky_runs_u32_vector(job, target) : draw_sky_runs_u32_plain(job, target);
+    sources.vector_kernels ? draw_sky_runs_u32_simd(job, target) : draw_sky_runs_u32_scalar(job, target);
 }
 
-void draw_skybox(const SpanSources& sources, SkyboxRuns job, const DrawItem& item,
+void draw_skybox(const SpanSources& sources, SkyboxRuns job, const SurfaceDraw& item,
                  std::span<const SpanRun> runs, const KernelTarget& target) {
   job.depth = kernel_plane(item.depth);
   job.runs = runs.data();
   job.run_count = runs.size();
   if (sources.format == PixelFormat::kIndexed)
-    sources.vector_kernels ? draw_skybox_runs_u8_vector(job, target) : draw_skybox_runs_u8_plain(job, target);
+    sources.vector_kernels ? draw_skybox_runs_u8_simd(job, target) : draw_skybox_runs_u8_scalar(job, target);
   else
-    sources.vector_kernels ? draw_skybox_runs_u32_vector(job, target)
-                           : draw_skybox_runs_u32_plain(job, target);
+    sources.vector_kernels ? draw_skybox_runs_u32_simd(job, target)
+                           : draw_skybox_runs_u32_scalar(job, target);
 }
 
 void draw_repeating(const SpanSources& sources, RepeatRuns job, std::span<const SpanRun> runs,
@@ -61,16 +61,16 @@ void draw_repeating(const SpanSources& sources, RepeatRuns job, std::span<const 
   job.runs = runs.data();
   job.run_count = runs.size();
   if (sources.format == PixelFormat::kIndexed)
-    sources.vector_kernels ? draw_repeat_runs_u8_vector(job, target) : draw_repeat_runs_u8_plain(job, target);
+    sources.vector_kernels ? draw_repeat_runs_u8_simd(job, target) : draw_repeat_runs_u8_scalar(job, target);
   else
-    sources.vector_kernels ? draw_repeat_runs_u32_vector(job, target)
-                           : draw_repeat_runs_u32_plain(job, target);
+    sources.vector_kernels ? draw_repeat_runs_u32_simd(job, target)
+                           : draw_repeat_runs_u32_scalar(job, target);
 }
 
 }  // namespace
 
 SpanSources prepare_span_sources(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                                 const DrawItems& items, const ColourTables& tables, PixelFormat format,
+                                 const SurfaceDraws& items, const ColorTables& tables, PixelFormat format,
                                  PreparedSkybox& io_skybox, base::Arena& arena) {
   std::optional<SkyboxRuns> skybox;
   std::span<const SkyRuns*> skies;
@@ -91,7 +91,7 @@ SpanSources prepare_span_sources(const Scene& scene, const Settings& settings, c
 
 void draw_runs(const SpanSources& sources, std::uint32_t number, std::span<const SpanRun> runs,
                const KernelTarget& target) {
-  const DrawItem& item = sources.items.items[number];
+  const SurfaceDraw& item = sources.items.items[number];
   switch (item.kind) {
     case ItemKind::kUnused:
     case ItemKind::kNothing:

@@ -9,12 +9,12 @@
 #include "render/spans/skybox.h"
 #include "render/spans/skybox_kernels.h"
 #include "render/spans/span_kernels.h"
-#include "render/surfaces/draw_items.h"
+#include "render/surfaces/surface_draws.h"
 
 namespace temblor::render {
 
 struct SpanSources {
-  DrawItems items;
+  SurfaceDraws items;
   // By item number; null for items of other kinds.
   std::span<const SkyRuns*> skies;  // without a skybox
   std::span<const RepeatRuns*> repeating;
@@ -25,7 +25,7 @@ struct SpanSources {
 };
 
 SpanSources prepare_span_sources(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                                 const DrawItems& items, const ColourTables& tables, PixelFormat format,
+                                 const SurfaceDraws& items, const ColorTables& tables, PixelFormat format,
                                  PreparedSkybox& io_skybox, base::Arena& arena);
 
 // Pixels and depth of some of an item's runs; untested. Draws nothing for items that show nothing.

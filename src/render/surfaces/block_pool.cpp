@@ -47,12 +47,12 @@ BlockPool::Slab* BlockPool::add_slab(std::size_t least_bytes, base::FirstTouch f
 }
 
 void BlockPool::prepare(std::size_t bytes) {
-  constexpr std::size_t kSmallestPageBytes = 4096;
+  constexpr std::size_t kMinPageBytes = 4096;
   while (bytes_reserved_ < bytes) {
     const Slab* slab = add_slab(kUnitBytes, base::FirstTouch::kInLargePages);
     if (slab == nullptr) return;
     ASAN_UNPOISON_MEMORY_REGION(slab->memory.get(), slab->bytes);
-    for (std::size_t at = 0; at < slab->bytes; at += kSmallestPageBytes) slab->memory[at] = std::byte{0};
+    for (std::size_t at = 0; at < slab->bytes; at += kMinPageBytes) slab->memory[at] = std::byte{0};
     ASAN_POISON_MEMORY_REGION(slab->memory.get(), slab->bytes);
   }
 }

@@ -1,5 +1,5 @@
 // Memory for the blocks of the surface cache: slabs in large pages, taken one after another up to a capacity,
-// and given out in cache lines by first fit. Rooms that are freed join their free neighbours.
+// and given out in cache lines by first fit. Rooms that are freed join their free neighbors.
 //
 // First fit at the lowest place keeps what is in use together, so that few pages are touched; and a room of
 // any size can be made of what several smaller ones leave, which size classes could not do.

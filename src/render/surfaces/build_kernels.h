@@ -19,15 +19,15 @@ struct IndexedRow {
   std::int32_t count, texels_a_sample;
 };
 struct RgbRow {
-  const std::uint32_t* texels;  // `count` colours, 0xffRRGGBB; alpha 0: full-bright, not lit
+  const std::uint32_t* texels;  // `count` colors, 0xffRRGGBB; alpha 0: full-bright, not lit
   const std::int16_t* light;    // blue, green, red, 0 by sample column: half the sum
   std::uint32_t* out;
   std::int32_t count, texels_a_sample;
 };
 
-void build_indexed_row_plain(const IndexedRow& row);
-void build_rgb_row_plain(const RgbRow& row);
-void build_indexed_row_vector(const IndexedRow& row);
-void build_rgb_row_vector(const RgbRow& row);
+void build_indexed_row_scalar(const IndexedRow& row);
+void build_rgb_row_scalar(const RgbRow& row);
+void build_indexed_row_simd(const IndexedRow& row);
+void build_rgb_row_simd(const RgbRow& row);
 
 }  // namespace temblor::render

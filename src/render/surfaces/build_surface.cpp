@@ -51,7 +51,7 @@ std::int32_t interpolate(std::int32_t from, std::int32_t to, std::int32_t fracti
 
 class Builder {
  public:
-  Builder(const world::Level& level, const ColourTables& tables, const MarkLook* mark_look,
+  Builder(const world::Level& level, const ColorTables& tables, const MarkLook* mark_look,
           const BlockRequest& request, bool vector_kernels, base::Arena& scratch)
       : level_(level),
         tables_(tables),
@@ -84,7 +84,7 @@ class Builder {
       interpolate_down(samples, 1, y, row_light);
       const IndexedRow row{texels.data(), row_light.data(),           tables_.colormap.rows.data(),
                            out,           request_.block.shape.width, texels_a_sample()};
-      vector_ ? build_indexed_row_vector(row) : build_indexed_row_plain(row);
+      vector_ ? build_indexed_row_simd(row) : build_indexed_row_scalar(row);
       if (has_holes())
         for (std::size_t x = 0; x < width(); ++x)
           if (texels[x] == kClearIndex) out[x] = kClearIndex;
@@ -96,18 +96,18 @@ class Builder {
       return static_cast<std::int16_t>(std::min<std::uint32_t>(sum, 65280) >> 1);
     });
     const std::span<std::int16_t> row_light = row_samples(4);
-    const std::span<std::uint32_t> colours = row_of_texels<std::uint32_t>();
+    const std::span<std::uint32_t> colors = row_of_texels<std::uint32_t>();
     const std::span<std::uint8_t> indices = row_of_texels<std::uint8_t>();
     auto* out = reinterpret_cast<std::uint32_t*>(request_.block.texels);
     for (std::int32_t y = 0; y < request_.block.shape.height; ++y, out += request_.block.shape.width) {
       texture_.next_row(width(), [&](std::size_t x, const std::uint8_t* run, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) colours[x + i] = tables_.surface_rgb[run[i]];
+        for (std::size_t i = 0; i < count; ++i) colors[x + i] = tables_.surface_rgb[run[i]];
         if (has_holes()) std::memcpy(&indices[x], run, count);
       });
-      if (!marks_.empty()) paint_marks(*mark_look_, marks_, y, colours);
+      if (!marks_.empty()) paint_marks(*mark_look_, marks_, y, colors);
       interpolate_down(samples, 4, y, row_light);
-      const RgbRow row{colours.data(), row_light.data(), out, request_.block.shape.width, texels_a_sample()};
-      vector_ ? build_rgb_row_vector(row) : build_rgb_row_plain(row);
+      const RgbRow row{colors.data(), row_light.data(), out, request_.block.shape.width, texels_a_sample()};
+      vector_ ? build_rgb_row_simd(row) : build_rgb_row_scalar(row);
       if (has_holes())
         for (std::size_t x = 0; x < width(); ++x)
           if (indices[x] == kClearIndex) out[x] = 0;
@@ -126,13 +126,13 @@ class Builder {
   }
 
   // What `convert` makes of the light sum, for every sample of the tile, row by row. Of four channels, three
-  // are blue, green, red and the last is 0; of one, the grey light.
+  // are blue, green, red and the last is 0; of one, the gray light.
   // One row more than there is, so that every row of texels has a sample above and below.
   template <typename Convert>
   std::span<const std::int16_t> sum_samples(std::size_t channels, Convert convert) {
     const LightSums sums =
         sum_light(level_, face_, grid_,
-                  {request_.contents.style_values, request_.contents.coloured, request_.lights}, scratch_);
+                  {request_.contents.style_values, request_.contents.colored, request_.lights}, scratch_);
     const std::size_t count = sums.values.size() / sums.channels;
     const std::span<std::int16_t> samples =
         scratch_.allocate_filled<std::int16_t>((count + columns()) * channels, 0);
@@ -163,7 +163,7 @@ class Builder {
   }
 
   const world::Level& level_;
-  const ColourTables& tables_;
+  const ColorTables& tables_;
   const MarkLook* const mark_look_;
   const BlockRequest& request_;
   const bool vector_;
@@ -184,7 +184,7 @@ SurfaceShape surface_shape(const world::Face& face, int tile_s, int tile_t, int 
   return {size(face.texture_extents[0], tile_s), size(face.texture_extents[1], tile_t)};
 }
 
-void build_surface(const world::Level& level, const ColourTables& tables, const MarkLook* mark_look,
+void build_surface(const world::Level& level, const ColorTables& tables, const MarkLook* mark_look,
                    const BlockRequest& request, PixelFormat format, bool vector_kernels,
                    base::Arena& scratch) {
   scratch.reset();

@@ -16,12 +16,12 @@ struct Block {
 // Shining texels and others do not mix: the mean is that of the more numerous.
 class OpaqueMean {
  public:
-  void add(formats::Rgb colour, bool fullbright) {
+  void add(formats::Rgb color, bool fullbright) {
     Sum& sum = sums_[fullbright];
     ++sum.count;
-    sum.r += colour.r;
-    sum.g += colour.g;
-    sum.b += colour.b;
+    sum.r += color.r;
+    sum.g += color.g;
+    sum.b += color.b;
   }
   int count() const { return sums_[0].count + sums_[1].count; }
   std::uint8_t match(const PaletteMatch& match) const {
@@ -41,7 +41,7 @@ class OpaqueMean {
 };
 
 Block block_at(const world::Texture& texture, std::uint32_t x, std::uint32_t y, unsigned mip,
-               const ColourTables& tables) {
+               const ColorTables& tables) {
   const std::uint32_t right = std::min((x + 1) << mip, texture.width);
   const std::uint32_t bottom = std::min((y + 1) << mip, texture.height);
   Block block;
@@ -59,7 +59,7 @@ Block block_at(const world::Texture& texture, std::uint32_t x, std::uint32_t y, 
 
 // Error diffusion (Floyd and Steinberg, 1976): what a texel's being opaque or not is off its block's share is
 // passed on to those that come after it. Nothing appears where all is clear.
-std::vector<std::uint8_t> make_mip(const world::Texture& texture, unsigned mip, const ColourTables& tables) {
+std::vector<std::uint8_t> make_mip(const world::Texture& texture, unsigned mip, const ColorTables& tables) {
   const std::uint32_t width = std::max(1u, texture.width >> mip);
   const std::uint32_t height = std::max(1u, texture.height >> mip);
   std::vector<std::uint8_t> texels(std::size_t{width} * height, kClearIndex);
@@ -86,7 +86,7 @@ std::vector<std::uint8_t> make_mip(const world::Texture& texture, unsigned mip, 
 
 }  // namespace
 
-CutoutTextures::CutoutTextures(const world::Level& level, const ColourTables& tables)
+CutoutTextures::CutoutTextures(const world::Level& level, const ColorTables& tables)
     : remade_of_(level.textures.size(), kAsItIs) {
   for (std::size_t i = 0; i < level.textures.size(); ++i) {
     if (level.textures[i].kind != world::TextureKind::kCutout) continue;

@@ -19,12 +19,10 @@ float units_a_texel(const math::Vec3d& axis, const math::Vec3d& normal) {
 
 }  // namespace
 
-std::optional<FaceLight> light_on_face(const DynamicLight& light, const FacePlacement& placed,
-                                       bool coloured) {
+std::optional<FaceLight> light_on_face(const DynamicLight& light, const FacePlacement& placed, bool colored) {
   const math::Vec3d origin(light.origin_world);
   const double height = glm::dot(placed.normal, origin) - placed.distance;
-  const double at_nearest =
-      std::min(static_cast<double>(light.radius), double{kMostLight}) - std::abs(height);
+  const double at_nearest = std::min(static_cast<double>(light.radius), double{kMaxLight}) - std::abs(height);
   const double reach = at_nearest - std::max(0.0, static_cast<double>(light.least));
   if (!(reach > 0)) return std::nullopt;
   const math::Vec3d nearest = origin - placed.normal * height;
@@ -36,8 +34,8 @@ std::optional<FaceLight> light_on_face(const DynamicLight& light, const FacePlac
   out.at_nearest = static_cast<float>(at_nearest);
   out.reach = static_cast<float>(reach);
   for (int channel = 0; channel < 3; ++channel) {
-    const float factor = coloured ? light.colour[channel] : 1.0f;
-    out.colour[static_cast<std::size_t>(channel)] = factor > 0 ? std::min(factor, kMostColour) : 0.0f;
+    const float factor = colored ? light.color[channel] : 1.0f;
+    out.color[static_cast<std::size_t>(channel)] = factor > 0 ? std::min(factor, kMaxColor) : 0.0f;
   }
   return out;
 }
@@ -64,8 +62,8 @@ std::uint64_t hash_of(std::span<const FaceLight> lights) {
     add(light.s, light.t);
     add(light.units_a_s, light.units_a_t);
     add(light.at_nearest, light.reach);
-    add(light.colour[0], light.colour[1]);
-    add(light.colour[2], 0);
+    add(light.color[0], light.color[1]);
+    add(light.color[2], 0);
   }
   return hash == 0 ? 1 : hash;
 }

@@ -20,12 +20,12 @@ namespace temblor::render {
 struct FaceLight {
   float s = 0, t = 0;  // its nearest point of the face's plane, in texels from the face's first
   float units_a_s = 0, units_a_t = 0;  // lengths of a texel on the face
-  float at_nearest = 0;                // light at that point, up to kMostLight; it falls by 1 a unit
+  float at_nearest = 0;                // light at that point, up to kMaxLight; it falls by 1 a unit
   float reach = 0;                     // units along the face from there, to where it is left out
-  std::array<float, 3> colour{};       // red, green, blue; factors from 0 to kMostColour
+  std::array<float, 3> color{};        // red, green, blue; factors from 0 to kMaxColor
 };
 
-constexpr float kMostLight = 65536, kMostColour = 16;
+constexpr float kMaxLight = 65536, kMaxColor = 16;
 
 // Samples of a face's light map, one every 16 texels: part of a row of part of its columns.
 struct SampleGrid {
@@ -40,9 +40,9 @@ inline float distance_on_face(const FaceLight& light, float s, float t) {
   return along_s > along_t ? along_s + along_t * 0.5f : along_t + along_s * 0.5f;
 }
 
-// `light` on the face placed in the world, or nothing where it does not reach the face's plane. Colours count
-// only when `coloured`. Numbers of a light that are none (not finite) make it none.
-std::optional<FaceLight> light_on_face(const DynamicLight& light, const FacePlacement& placed, bool coloured);
+// `light` on the face placed in the world, or nothing where it does not reach the face's plane. Colors count
+// only when `colored`. Numbers of a light that are none (not finite) make it none.
+std::optional<FaceLight> light_on_face(const DynamicLight& light, const FacePlacement& placed, bool colored);
 
 // Whether the light reaches one of the samples.
 bool reaches(const FaceLight& light, const SampleGrid& grid);

@@ -9,7 +9,7 @@ namespace temblor::render {
 namespace {
 
 // Far beyond what shows brightest, and as far below what overflows.
-constexpr std::uint32_t kMostSum = 1u << 28;
+constexpr std::uint32_t kMaxSum = 1u << 28;
 
 // `channels` are those of the samples: 1 or 3.
 std::span<std::uint32_t> sum_styles(const world::Level& level, const world::Face& face,
@@ -33,13 +33,13 @@ std::span<std::uint32_t> sum_styles(const world::Level& level, const world::Face
   return sums;
 }
 
-bool has_colour(const FaceLight& light) {
-  return light.colour[0] != light.colour[1] || light.colour[0] != light.colour[2];
+bool has_color(const FaceLight& light) {
+  return light.color[0] != light.color[1] || light.color[0] != light.color[2];
 }
 
-std::span<std::uint32_t> in_three_channels(std::span<const std::uint32_t> grey, base::Arena& arena) {
-  const std::span<std::uint32_t> sums = arena.allocate<std::uint32_t>(grey.size() * 3);
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = grey[i / 3];
+std::span<std::uint32_t> in_three_channels(std::span<const std::uint32_t> gray, base::Arena& arena) {
+  const std::span<std::uint32_t> sums = arena.allocate<std::uint32_t>(gray.size() * 3);
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = gray[i / 3];
   return sums;
 }
 
@@ -55,7 +55,7 @@ void add_light(const FaceLight& light, const SampleGrid& grid, std::size_t chann
       const float amount = (light.at_nearest - distance) * 256.0f;
       for (std::size_t channel = 0; channel < channels; ++channel)
         sum[channel] =
-            std::min(sum[channel], kMostSum) + static_cast<std::uint32_t>(amount * light.colour[channel]);
+            std::min(sum[channel], kMaxSum) + static_cast<std::uint32_t>(amount * light.color[channel]);
     }
   }
 }
@@ -72,9 +72,9 @@ SampleGrid sample_grid(const world::Face& face, int tile_s, int tile_t) {
 
 LightSums sum_light(const world::Level& level, const world::Face& face, const SampleGrid& grid,
                     const TileLight& light, base::Arena& arena) {
-  std::size_t channels = light.coloured ? 3 : 1;
+  std::size_t channels = light.colored ? 3 : 1;
   std::span<std::uint32_t> sums = sum_styles(level, face, grid, light, channels, arena);
-  if (channels == 1 && std::any_of(light.lights.begin(), light.lights.end(), has_colour)) {
+  if (channels == 1 && std::any_of(light.lights.begin(), light.lights.end(), has_color)) {
     sums = in_three_channels(sums, arena);
     channels = 3;
   }

@@ -16,7 +16,7 @@ SampleGrid sample_grid(const world::Face& face, int tile_s, int tile_t);
 
 struct TileLight {
   std::array<std::uint16_t, 4> style_values{};  // by the face's styles; 256: the light as stored
-  bool coloured = false;                        // from the level's coloured samples, which it has
+  bool colored = false;                         // from the level's colored samples, which it has
   std::span<const FaceLight> lights;
 };
 
@@ -27,7 +27,7 @@ struct LightSums {
 };
 
 // sample x style value over the face's styles, and 256 x (light at the nearest point - distance on the face)
-// x colour over the lights that reach that far. Grey where nothing has a colour. Lives as long as `arena`.
+// x color over the lights that reach that far. Gray where nothing has a color. Lives as long as `arena`.
 LightSums sum_light(const world::Level& level, const world::Face& face, const SampleGrid& grid,
                     const TileLight& light, base::Arena& arena);
 

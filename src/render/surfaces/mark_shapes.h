@@ -1,4 +1,4 @@
-// What marks look like, apart from their colour: small pictures made by code once, at several sizes, so that
+// What marks look like, apart from their color: small pictures made by code once, at several sizes, so that
 // a mark looks alike on every mip level of what it is painted on.
 //
 // Arithmetic is +, -, * and / and square roots only: the same shapes on every machine.
@@ -14,7 +14,7 @@ namespace temblor::render {
 
 struct MarkTexel {
   float opacity;  // 0 to 1
-  float shade;    // 0 to 1: from the first to the last colour of the mark's ink
+  float shade;    // 0 to 1: from the first to the last color of the mark's ink
 };
 
 class MarkShapes {

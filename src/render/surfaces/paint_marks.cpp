@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/hash.h"
-#include "render/colour/blend_tables.h"
+#include "render/color/blend_tables.h"
 #include "render/edges/face_outlines.h"
 #include "render/frame.h"
 #include "render/view/model_view.h"
@@ -24,9 +24,9 @@ constexpr std::array<Ink, MarkShapes::kKinds> kInks = {{
     {{36, 4, 3}, {88, 13, 9}},       // blood
 }};
 
-formats::Rgb ink_colour(MarkKind kind, float shade) {
+formats::Rgb ink_color(MarkKind kind, float shade) {
   const Ink& ink = kInks[static_cast<std::size_t>(kind)];
-  return blend_colours(ink.last, ink.first, opacity_256(shade));
+  return blend_colors(ink.last, ink.first, opacity_256(shade));
 }
 
 // Over half of it is mark: it glows no more.
@@ -128,20 +128,20 @@ class MarkPlacer {
 
 }  // namespace
 
-MarkLook::MarkLook(const ColourTables& tables)
+MarkLook::MarkLook(const ColorTables& tables)
     : indices_(std::size_t{MarkShapes::kKinds} * kShades * kOpacities * 256) {
   const PaletteMatch& match = tables.match;
   std::uint8_t* out = indices_.data();
   for (int kind = 0; kind < MarkShapes::kKinds; ++kind)
     for (int shade = 0; shade < kShades; ++shade) {
       const formats::Rgb ink =
-          ink_colour(static_cast<MarkKind>(kind), static_cast<float>(shade) / (kShades - 1));
+          ink_color(static_cast<MarkKind>(kind), static_cast<float>(shade) / (kShades - 1));
       for (int step = 0; step < kOpacities; ++step)
         for (std::size_t index = 0; index < 256; ++index) {
           const int opacity = step * kOpaque256 / (kOpacities - 1);
           const bool glows = match.is_fullbright(index) && glows_through(opacity);
           *out++ = step == 0 ? static_cast<std::uint8_t>(index)
-                             : match(blend_colours(ink, tables.palette[index], opacity), glows);
+                             : match(blend_colors(ink, tables.palette[index], opacity), glows);
         }
     }
 }
@@ -157,7 +157,7 @@ std::uint32_t MarkLook::over(MarkKind kind, MarkTexel texel, std::uint32_t under
   const int opacity = opacity_256(texel.opacity);
   if (opacity == 0) return under;
   const bool glows = under >> 24 == 0 && glows_through(opacity);
-  const std::uint32_t blend = blend_rgb(to_rgb(ink_colour(kind, texel.shade)), under, opacity);
+  const std::uint32_t blend = blend_rgb(to_rgb(ink_color(kind, texel.shade)), under, opacity);
   return glows ? blend & 0xffffffu : blend;
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/arena.h"
-#include "formats/palette.h"
-#include "render/colour/colour_tables.h"
+#include "formats/images/palette.h"
+#include "render/color/color_tables.h"
 #include "render/marks.h"
 #include "render/surfaces/mark_shapes.h"
 #include "render/surfaces/surface_block.h"
@@ -21,12 +21,12 @@ class MarkLook {
  public:
   static constexpr int kShades = 4, kOpacities = 17;
 
-  explicit MarkLook(const ColourTables& tables);
+  explicit MarkLook(const ColorTables& tables);
 
   const MarkShapes& shapes() const { return shapes_; }
   // What shows of a palette index under a mark. A full-bright texel glows on until half of it is covered.
   std::uint8_t over(MarkKind kind, MarkTexel texel, std::uint8_t index) const;
-  // Of a colour; it and the result are as in ColourTables::surface_rgb.
+  // Of a color; it and the result are as in ColorTables::surface_rgb.
   std::uint32_t over(MarkKind kind, MarkTexel texel, std::uint32_t under) const;
 
  private:
@@ -51,7 +51,7 @@ std::span<const PlacedMark> place_marks(const world::Level& level, const world::
                                         std::span<const Mark> marks, int tile_s, int tile_t, int mip,
                                         SurfaceShape shape, base::Arena& arena);
 
-// Paints row `y` of the block. Texels are palette indices, or as ColourTables::surface_rgb.
+// Paints row `y` of the block. Texels are palette indices, or as ColorTables::surface_rgb.
 template <typename Texel>
 void paint_marks(const MarkLook& look, std::span<const PlacedMark> marks, std::int32_t y,
                  std::span<Texel> io_row);

@@ -28,7 +28,7 @@ namespace temblor::render {
 struct BlockContents {
   world::TextureIndex texture{};
   std::array<std::uint16_t, 4> style_values{};
-  bool coloured = false;
+  bool colored = false;
   std::uint64_t lights = 0;  // hash of the dynamic lights on it; 0: none
   std::uint64_t marks = 0;   // revision of the marks on its face; 0: none
   bool operator==(const BlockContents&) const = default;

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "render/models/draw_sprites.h"
-#include "render/models/draw_translucent_alias.h"
+#include "render/alias/draw_translucent_alias.h"
+#include "render/sprites/draw_sprites.h"
 #include "render/translucent/merge_kernels.h"
 
 namespace temblor::render {
@@ -38,8 +38,8 @@ class Translucent {
                          frame_);
   }
 
-  void draw_faces(std::span<const LateFace> faces) {
-    draw_late_faces(faces, target_, jobs_, arenas_, frame_);
+  void draw_faces(std::span<const DeferredFace> faces) {
+    draw_deferred_faces(faces, target_, jobs_, arenas_, frame_);
   }
 
  private:
@@ -68,9 +68,9 @@ class Translucent {
     row.table = blend_table(alpha);
     row.opacity_256 = opacity_256(alpha);
     if (indexed)
-      settings_.vector_kernels ? merge_blend_u8_vector(row) : merge_blend_u8_plain(row);
+      settings_.vector_kernels ? merge_blend_u8_simd(row) : merge_blend_u8_scalar(row);
     else
-      settings_.vector_kernels ? merge_blend_u32_vector(row) : merge_blend_u32_plain(row);
+      settings_.vector_kernels ? merge_blend_u32_simd(row) : merge_blend_u32_scalar(row);
   }
 
   const Scene& scene_;
@@ -85,7 +85,7 @@ class Translucent {
 }  // namespace
 
 void draw_translucent(const Scene& scene, const Settings& settings, std::span<const TranslucentLayer> layers,
-                      std::span<const LateFace> faces, const LateTarget& target, base::Jobs& jobs,
+                      std::span<const DeferredFace> faces, const LateTarget& target, base::Jobs& jobs,
                       base::Arena& arena, std::vector<base::Arena>& io_arenas, FrameBuffer& io_frame) {
   using Kind = TranslucentLayer::Kind;
   Translucent translucent(scene, settings, target, jobs, arena, io_arenas, io_frame);

@@ -10,7 +10,7 @@ namespace temblor::render {
 // `layers` in their order, whose faces are numbers in `faces`. Models are fogged, then blended, each pixel
 // once; sprites are not fogged. Depth stays as it is.
 void draw_translucent(const Scene& scene, const Settings& settings, std::span<const TranslucentLayer> layers,
-                      std::span<const LateFace> faces, const LateTarget& target, base::Jobs& jobs,
+                      std::span<const DeferredFace> faces, const LateTarget& target, base::Jobs& jobs,
                       base::Arena& arena, std::vector<base::Arena>& io_arenas, FrameBuffer& io_frame);
 
 }  // namespace temblor::render

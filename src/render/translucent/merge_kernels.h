@@ -22,15 +22,15 @@ struct MergeRow {
 };
 
 // From pixel `first` on. Writes pixels and z.
-void merge_opaque_u8_plain(const MergeRow& row, std::int32_t first = 0);
-void merge_opaque_u32_plain(const MergeRow& row, std::int32_t first = 0);
+void merge_opaque_u8_scalar(const MergeRow& row, std::int32_t first = 0);
+void merge_opaque_u32_scalar(const MergeRow& row, std::int32_t first = 0);
 // Writes pixels: what is translucent hides nothing.
-void merge_blend_u8_plain(const MergeRow& row, std::int32_t first = 0);
-void merge_blend_u32_plain(const MergeRow& row, std::int32_t first = 0);
+void merge_blend_u8_scalar(const MergeRow& row, std::int32_t first = 0);
+void merge_blend_u32_scalar(const MergeRow& row, std::int32_t first = 0);
 
-void merge_opaque_u8_vector(const MergeRow& row);
-void merge_opaque_u32_vector(const MergeRow& row);
-void merge_blend_u8_vector(const MergeRow& row);
-void merge_blend_u32_vector(const MergeRow& row);
+void merge_opaque_u8_simd(const MergeRow& row);
+void merge_opaque_u32_simd(const MergeRow& row);
+void merge_blend_u8_simd(const MergeRow& row);
+void merge_blend_u32_simd(const MergeRow& row);
 
 }  // namespace temblor::render

@@ -23,7 +23,7 @@ bool is_behind(const TranslucentLayer& a, const TranslucentLayer& b) {
 
 std::span<const TranslucentLayer> sort_translucent(const Scene& scene, const ViewFrame& view,
                                                    const VisibleFaces& visible,
-                                                   std::span<const LateFace> faces, base::Arena& arena) {
+                                                   std::span<const DeferredFace> faces, base::Arena& arena) {
   using Kind = TranslucentLayer::Kind;
   base::ArenaVector<TranslucentLayer> layers(arena, faces.size() + 16);
   for (std::uint32_t i = 0; i < faces.size(); ++i)

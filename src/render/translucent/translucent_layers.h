@@ -6,7 +6,7 @@
 
 #include "base/arena.h"
 #include "render/scene.h"
-#include "render/translucent/late_faces.h"
+#include "render/translucent/deferred_faces.h"
 
 namespace temblor::render {
 
@@ -24,7 +24,7 @@ struct TranslucentLayer {
 // back to front, and come in this order.
 std::span<const TranslucentLayer> sort_translucent(const Scene& scene, const ViewFrame& view,
                                                    const VisibleFaces& visible,
-                                                   std::span<const LateFace> faces, base::Arena& arena);
+                                                   std::span<const DeferredFace> faces, base::Arena& arena);
 
 // So many faces lie behind everything else that is translucent.
 std::size_t leading_faces(std::span<const TranslucentLayer> layers);

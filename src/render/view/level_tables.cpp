@@ -5,7 +5,7 @@ namespace temblor::render {
 LevelTables make_level_tables(const world::Level& level) {
   LevelTables tables;
   tables.node_parent.assign(level.nodes.size(), LevelTables::kNoParent);
-  tables.leaf_parent.assign(level.leafs.size(), LevelTables::kNoParent);
+  tables.leaf_parent.assign(level.leaves.size(), LevelTables::kNoParent);
   // Only the world's own tree: those of brush models are drawn face by face. Trees are acyclic (read_bsp).
   std::vector<std::uint32_t> open;
   if (!level.world().head.is_leaf()) open.push_back(static_cast<std::uint32_t>(level.world().head.value));

@@ -35,8 +35,8 @@ ViewFrame make_view_frame(const Scene& scene, int width, int height) {
   view.perspective = camera.projection == Projection::kPerspective;
   view.eye_world = math::Vec3d(camera.origin_world);
   view.axes = math::basis_from_angles(camera.angles_deg);
-  view.centre_x = width / 2.0 - 0.5;
-  view.centre_y = height / 2.0 - 0.5;
+  view.center_x = width / 2.0 - 0.5;
+  view.center_y = height / 2.0 - 0.5;
   if (view.perspective)
     view.pixels_per_unit = perspective_scale(camera.fov_deg, width, height);
   else
@@ -44,16 +44,16 @@ ViewFrame make_view_frame(const Scene& scene, int width, int height) {
                                                       : fitting_scale(*scene.level, view.axes, width, height);
   view.eye_leaf = world::find_leaf(*scene.level, camera.origin_world);
 
-  // One pixel of slack around the picture: a node is left out only when no pixel's centre can lie in it.
+  // One pixel of slack around the picture: a node is left out only when no pixel's center can lie in it.
   const auto side = [&](const math::Vec3d& inward, double slack_px) {
     const math::Vec3d normal =
         inward * view.pixels_per_unit + (view.perspective ? view.axes.forward * slack_px : math::Vec3d(0.0));
     return FrustumPlane{normal, (view.perspective ? 0.0 : slack_px) - glm::dot(normal, view.eye_world)};
   };
-  view.frustum[0] = side(view.axes.right, view.centre_x + 1);
-  view.frustum[1] = side(-view.axes.right, width - view.centre_x);
-  view.frustum[2] = side(-view.axes.up, view.centre_y + 1);
-  view.frustum[3] = side(view.axes.up, height - view.centre_y);
+  view.frustum[0] = side(view.axes.right, view.center_x + 1);
+  view.frustum[1] = side(-view.axes.right, width - view.center_x);
+  view.frustum[2] = side(-view.axes.up, view.center_y + 1);
+  view.frustum[3] = side(view.axes.up, height - view.center_y);
   view.frustum[4] = {view.axes.forward, -view.near_z - glm::dot(view.axes.forward, view.eye_world)};
   return view;
 }
@@ -75,7 +75,7 @@ ScreenPlane depth_plane(const ViewFrame& view, const math::Vec3d& normal, double
     plane.dy = -n.y / (view.pixels_per_unit * n.z);
     plane.at_origin = -d / n.z;
   }
-  plane.at_origin -= plane.dx * view.centre_x + plane.dy * view.centre_y;
+  plane.at_origin -= plane.dx * view.center_x + plane.dy * view.center_y;
   return plane;
 }
 
@@ -89,12 +89,12 @@ ScreenPlane coordinate_plane(const ViewFrame& view, const ScreenPlane& depth, co
   along_ray.dy = -a.y / view.pixels_per_unit;
   if (view.perspective) {
     // f(eye + z ray) / z = axis . ray + f(eye) / z.
-    along_ray.at_origin = a.z - along_ray.dx * view.centre_x - along_ray.dy * view.centre_y;
+    along_ray.at_origin = a.z - along_ray.dx * view.center_x - along_ray.dy * view.center_y;
     return {along_ray.at_origin + at_eye * depth.at_origin, along_ray.dx + at_eye * depth.dx,
             along_ray.dy + at_eye * depth.dy};
   }
   // f = f(eye) + a.x x + a.y y + a.z z, with z = -depth.
-  along_ray.at_origin = at_eye - along_ray.dx * view.centre_x - along_ray.dy * view.centre_y;
+  along_ray.at_origin = at_eye - along_ray.dx * view.center_x - along_ray.dy * view.center_y;
   return {along_ray.at_origin - a.z * depth.at_origin, along_ray.dx - a.z * depth.dx,
           along_ray.dy - a.z * depth.dy};
 }

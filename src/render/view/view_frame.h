@@ -39,14 +39,14 @@ enum ClipFlags : std::uint8_t {
   kClipAll = 31
 };
 
-// View space: x right, y up, z forward, units. Screen space: pixel centres at whole numbers, y down.
+// View space: x right, y up, z forward, units. Screen space: pixel centers at whole numbers, y down.
 struct ViewFrame {
   int width = 0, height = 0;
   bool perspective = true;
   math::Vec3d eye_world{0.0};
   math::Basis axes;
   double pixels_per_unit = 0;  // perspective: at distance 1; orthographic: anywhere
-  double centre_x = 0, centre_y = 0;
+  double center_x = 0, center_y = 0;
   double near_z = kNearPlane;
   std::array<FrustumPlane, 5> frustum;  // in the order of ClipFlags
   world::LeafIndex eye_leaf{};
@@ -58,7 +58,7 @@ struct ViewFrame {
   // z >= near_z.
   math::Vec2d to_screen(const math::Vec3d& view) const {
     const double scale = perspective ? pixels_per_unit / view.z : pixels_per_unit;
-    return {centre_x + view.x * scale, centre_y - view.y * scale};
+    return {center_x + view.x * scale, center_y - view.y * scale};
   }
   // What increases with nearness and is linear on the screen: 1/z, or minus the distance.
   double depth(double view_z) const { return perspective ? 1.0 / view_z : -view_z; }

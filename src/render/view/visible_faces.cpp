@@ -46,15 +46,15 @@ class Walk {
         opacities_(opacities),
         face_marked_(arena.allocate_filled<std::uint8_t>(level.faces.size(), 0)),
         node_marked_(arena.allocate_filled<std::uint8_t>(level.nodes.size(), 0)),
-        leaf_visible_(arena.allocate_filled<std::uint8_t>(level.leafs.size(), 0)),
-        leaf_keys_(arena.allocate_filled<SortKey>(level.leafs.size(), kNotVisited)),
+        leaf_visible_(arena.allocate_filled<std::uint8_t>(level.leaves.size(), 0)),
+        leaf_keys_(arena.allocate_filled<SortKey>(level.leaves.size(), kNotVisited)),
         faces_(arena, 1024),
-        late_faces_(arena, 64),
+        deferred_faces_(arena, 64),
         open_(arena, 256) {}
 
   void mark_leaf(std::size_t leaf) {
     leaf_visible_[leaf] = 1;
-    const world::Leaf& marked = level_.leafs[leaf];
+    const world::Leaf& marked = level_.leaves[leaf];
     for (std::uint32_t i = 0; i < marked.marked_face_count; ++i) {
       std::uint8_t& mark = face_marked_[base::to_size(level_.marked_faces[marked.first_marked_face + i])];
       faces_in_pvs_ += mark == 0;
@@ -66,13 +66,13 @@ class Walk {
   }
 
   void mark_everything() {
-    for (std::size_t leaf = 1; leaf < level_.leafs.size(); ++leaf) mark_leaf(leaf);
+    for (std::size_t leaf = 1; leaf < level_.leaves.size(); ++leaf) mark_leaf(leaf);
   }
   void mark_row(std::span<const std::uint8_t> row) {
     for (std::size_t byte = 0; byte < row.size(); ++byte)
       for (unsigned bits = row[byte]; bits != 0; bits &= bits - 1) {
         const std::size_t leaf = byte * 8 + static_cast<std::size_t>(__builtin_ctz(bits)) + 1;
-        if (leaf < level_.leafs.size()) mark_leaf(leaf);
+        if (leaf < level_.leaves.size()) mark_leaf(leaf);
       }
   }
 
@@ -89,7 +89,7 @@ class Walk {
       else
         enter_node(step);
     }
-    return {faces_.view(), late_faces_.view(), opacities_, leaf_keys_, node_marked_, faces_in_pvs_};
+    return {faces_.view(), deferred_faces_.view(), opacities_, leaf_keys_, node_marked_, faces_in_pvs_};
   }
 
  private:
@@ -116,11 +116,11 @@ class Walk {
     open_.push_back({node.children[static_cast<std::size_t>(side)], -1, flags});
   }
 
-  // Only faces of leafs that were reached: those in front of a node's plane are walked before its faces.
+  // Only faces of leaves that were reached: those in front of a node's plane are walked before its faces.
   void enter_leaf(std::size_t leaf) {
     if (leaf_visible_[leaf] == 0) return;
     leaf_keys_[leaf] = next_key_++;
-    const world::Leaf& reached = level_.leafs[leaf];
+    const world::Leaf& reached = level_.leaves[leaf];
     for (std::uint32_t i = 0; i < reached.marked_face_count; ++i)
       face_marked_[base::to_size(level_.marked_faces[reached.first_marked_face + i])] = kReached;
   }
@@ -133,7 +133,7 @@ class Walk {
       if (face.plane != node.plane && facing_of(face) < kEdgeOn) continue;
       const FaceOpacity& opacity = opacities_[base::to_size(face.texture)];
       if (opacity.opacity <= 0) continue;
-      (opacity.is_late() ? late_faces_ : faces_)
+      (opacity.is_late() ? deferred_faces_ : faces_)
           .push_back({base::to_index<world::FaceIndex>(number), next_key_++});
     }
   }
@@ -150,7 +150,7 @@ class Walk {
   std::span<const FaceOpacity> opacities_;
   std::span<std::uint8_t> face_marked_, node_marked_, leaf_visible_;
   std::span<SortKey> leaf_keys_;
-  base::ArenaVector<VisibleFace> faces_, late_faces_;
+  base::ArenaVector<VisibleFace> faces_, deferred_faces_;
   base::ArenaVector<Step> open_;
   SortKey next_key_ = kNotVisited + 1;
   std::uint32_t faces_in_pvs_ = 0;

@@ -1,6 +1,6 @@
 // Stage 2. ViewFrame -> VisibleFaces: the world's faces that the eye may see, front to back.
-// Abrash, "Quake's Visible-Surface Determination" and "The Big Picture": leafs of the potentially visible set
-// are marked, then the tree is walked front to back, whole subtrees outside the frustum left out.
+// Abrash, "Quake's Visible-Surface Determination" and "The Big Picture": leaves of the potentially visible
+// set are marked, then the tree is walked front to back, whole subtrees outside the frustum left out.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace temblor::render {
 
-// Smaller is nearer. World faces and leafs share one sequence, each number used once.
+// Smaller is nearer. World faces and leaves share one sequence, each number used once.
 using SortKey = std::int32_t;
 constexpr SortKey kNotVisited = 0;
 
@@ -24,9 +24,9 @@ struct VisibleFace {
 };
 
 struct VisibleFaces {
-  std::span<const VisibleFace> faces;         // in key order, all turned towards the eye
-  std::span<const VisibleFace> late_faces;    // alike: those that something shows through
-  std::span<const FaceOpacity> opacities;     // as given
+  std::span<const VisibleFace> faces;           // in key order, all turned towards the eye
+  std::span<const VisibleFace> deferred_faces;  // alike: those that something shows through
+  std::span<const FaceOpacity> opacities;       // as given
   std::span<const SortKey> leaf_keys;         // by leaf: where its brush models belong; kNotVisited: not seen
   std::span<const std::uint8_t> node_marked;  // by node: not 0 when a leaf below it may be seen
   std::uint32_t faces_in_pvs = 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "server/builtins/text_to_number.h"
+#include "server/builtins/text/text_to_number.h"
 
 namespace temblor::server {
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/result.h"
-#include "server/builtins.h"
+#include "server/builtins/builtins.h"
 #include "server/system_globals.h"
 
 namespace temblor::server {

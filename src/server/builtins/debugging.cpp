@@ -1,7 +1,7 @@
 // For who writes the program: what it is and does, and its own ways to stop.
 #include "base/text.h"
-#include "server/builtins/entity_text.h"
 #include "server/builtins/families.h"
+#include "server/builtins/text/entity_text.h"
 
 namespace temblor::server {
 namespace {

@@ -59,13 +59,13 @@ std::uint16_t particle_count(int count) {
   return static_cast<std::uint16_t>(std::clamp(count, 0, 254));
 }
 
-// particle(place, direction, colour, count)
+// particle(place, direction, color, count)
 base::Status particle(Call& io_call) {
   const math::Vec3 place = io_call.vector(0);
   io_call.game.outbox.at_place(net::Particles{.origin = place,
                                               .direction = io_call.vector(1),
                                               .count = particle_count(io_call.whole(3)),
-                                              .colour = static_cast<std::uint8_t>(io_call.whole(2) & 0xff)},
+                                              .color = static_cast<std::uint8_t>(io_call.whole(2) & 0xff)},
                                place);
   return base::Ok{};
 }

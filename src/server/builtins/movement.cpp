@@ -1,6 +1,6 @@
 // How monsters and things get about: physics does it, for `self`.
 #include "server/builtins/families.h"
-#include "server/physics.h"
+#include "server/physics/physics.h"
 
 namespace temblor::server {
 namespace {

@@ -45,7 +45,7 @@ base::Status precache_sound(Call& io_call) {
 }
 
 // For one that is missing or damaged: the level goes on, and clients show what they have for such.
-ServerModel stand_in() {
+ServerModel placeholder() {
   return {"", {math::Vec3{-16.0f}, math::Vec3{16.0f}}};
 }
 
@@ -60,7 +60,7 @@ base::Status precache_model(Call& io_call) {
     if (!io_call.game.load_model) return io_call.error("\"{}\": there are no files", base::quotable(name));
     base::Result<ServerModel> model = io_call.game.load_model(name);
     if (!model.ok()) io_call.warn_once(fmt::format("{}{}", model.error().message(), io_call.place()));
-    models.push_back(model.ok() ? *std::move(model) : stand_in());
+    models.push_back(model.ok() ? *std::move(model) : placeholder());
     models.back().name = name;  // what setmodel asks for
   }
   return precache_file(io_call);

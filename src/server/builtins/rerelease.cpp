@@ -4,7 +4,7 @@
 #include <charconv>
 
 #include "server/builtins/families.h"
-#include "server/builtins/player_text.h"
+#include "server/builtins/text/player_text.h"
 
 namespace temblor::server {
 namespace {

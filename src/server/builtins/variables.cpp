@@ -8,14 +8,14 @@ namespace temblor::server {
 namespace {
 
 constexpr std::size_t kMaxVariables = 4096;
-constexpr std::size_t kMaxNameChars = 63;
+constexpr std::size_t kMaxVariableNameChars = 63;
 
 bool is_variable_name(std::string_view name) {
   const auto is_allowed = [](char c) {
     const char lower = base::to_lower(c);
     return (lower >= 'a' && lower <= 'z') || (c >= '0' && c <= '9') || c == '_';
   };
-  return !name.empty() && name.size() <= kMaxNameChars && std::all_of(name.begin(), name.end(), is_allowed);
+  return !name.empty() && name.size() <= kMaxVariableNameChars && std::all_of(name.begin(), name.end(), is_allowed);
 }
 
 base::Status cvar(Call& io_call) {

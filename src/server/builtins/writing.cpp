@@ -1,6 +1,6 @@
 // Messages that the program puts together itself: Write(destination, value). Of whole numbers the low bytes
 // are written, as in the original.
-#include "net/loose_fields.h"
+#include "net/protocol/loose_fields.h"
 #include "server/builtins/families.h"
 
 namespace temblor::server {

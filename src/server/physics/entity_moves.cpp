@@ -117,7 +117,7 @@ void add_gravity(GameWorld& io_world, vm::EntityIndex entity) {
 
 bool check_water(GameWorld& io_world, vm::EntityIndex player) {
   const Edict edict = io_world.edicts[player];
-  const movement::HeightsOfBody heights{edict[field::kMins].z, edict[field::kMaxs].z,
+  const movement::PlayerHeights heights{edict[field::kMins].z, edict[field::kMaxs].z,
                                         edict[field::kViewOffset].z};
   const movement::WaterAround water =
       movement::water_around(edict[field::kOrigin], heights,

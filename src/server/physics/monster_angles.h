@@ -1,7 +1,7 @@
 // What a monster's single steps and its way to a goal share.
 #pragma once
 
-#include "server/entity_fields.h"
+#include "server/game/entity_fields.h"
 
 namespace temblor::server {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include "server/physics.h"
 #include "server/physics/monster_angles.h"
+#include "server/physics/physics.h"
 
 namespace temblor::server {
 namespace {

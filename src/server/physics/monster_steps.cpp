@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "server/move_trace.h"
-#include "server/physics.h"
 #include "server/physics/monster_angles.h"
+#include "server/physics/physics.h"
 
 namespace temblor::server {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "server/game_world.h"
-#include "server/physics.h"
+#include "server/physics/physics.h"
 
 namespace temblor::server {
 

@@ -9,18 +9,18 @@
 namespace temblor::server {
 namespace {
 
-movement::Gait gait_of(MoveType type) {
+movement::MoveMode gait_of(MoveType type) {
   switch (type) {
     case MoveType::kNone:
-      return movement::Gait::kStill;
+      return movement::MoveMode::kStill;
     case MoveType::kWalk:
-      return movement::Gait::kWalk;
+      return movement::MoveMode::kWalk;
     case MoveType::kFly:
-      return movement::Gait::kFly;
+      return movement::MoveMode::kFly;
     case MoveType::kNoClip:
-      return movement::Gait::kNoClip;
+      return movement::MoveMode::kNoClip;
     default:
-      return movement::Gait::kThrown;
+      return movement::MoveMode::kThrown;
   }
 }
 
@@ -98,7 +98,7 @@ base::Result<bool> think_and_move(GameWorld& io_world, vm::EntityIndex entity) {
 movement::Player player_of(const GameWorld& world, const Edict& edict) {
   return {.body = body_of(edict),
           .mins_z = edict[field::kMins].z,
-          .gait = gait_of(edict.move_type()),
+          .move_mode = gait_of(edict.move_type()),
           .is_alive = !(edict[field::kHealth] <= 0),
           .is_turned_by_game = edict[field::kFixAngle] != 0,
           .angles_deg = edict[field::kAngles],
@@ -106,14 +106,14 @@ movement::Player player_of(const GameWorld& world, const Edict& edict) {
           .water_level = edict.whole(field::kWaterLevel),
           .is_jumping_out_of_water = edict.has_flag(flag::kWaterJump),
           .water_jump_velocity = edict[field::kMoveDirection],
-          .settled_in_s = double{edict[field::kTeleportTime]} - world.time_s};
+          .teleport_time_s = double{edict[field::kTeleportTime]} - world.time_s};
 }
 
 void move_player(GameWorld& io_world, vm::EntityIndex player, const PlayerCommand& command) {
   const Edict edict = io_world.edicts[player];
   edict.set(field::kViewAngles, command.view_angles_deg);
   movement::Player state = player_of(io_world, edict);
-  if (state.gait == movement::Gait::kStill) return;
+  if (state.move_mode == movement::MoveMode::kStill) return;
   const bool jumped_out_of_water = state.is_jumping_out_of_water;
   movement::apply_wishes(state, {command.view_angles_deg, {command.forward, command.side, command.up}},
                          io_world.settings, tick_of(io_world),

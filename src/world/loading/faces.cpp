@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int32_t kLightGridTexels = 16;
 constexpr double kMaxExtentTexels = 1 << 20;
-// Above this a float no longer tells neighbouring texels apart.
+// Above this a float no longer tells neighboring texels apart.
 constexpr double kMaxTexelCoordinate = 1 << 24;
 constexpr std::int32_t kFlagNoLight = 1;
 
@@ -92,7 +92,7 @@ base::Status set_light(const Level& level, const formats::BspFace& bsp_face, std
 
 // Compilers let few faces share light samples, or none. A file may let all of them share the same large light
 // map, and then stand for far more surfaces than it has bytes.
-constexpr std::uint64_t kMostSharing = 64;
+constexpr std::uint64_t kMaxSharing = 64;
 
 base::Status make_faces(const formats::Bsp& bsp, Level& io_level) {
   // make_textures puts the missing texture last.
@@ -116,9 +116,9 @@ base::Status make_faces(const formats::Bsp& bsp, Level& io_level) {
     if (face.light != kNoLight)
       samples +=
           static_cast<std::uint64_t>(face.light_width()) * static_cast<std::uint64_t>(face.light_height());
-    if (samples > io_level.light.size() * kMostSharing)
+    if (samples > io_level.light.size() * kMaxSharing)
       return base::malformed("face {}: the faces up to it share {} light samples more than {} times over", i,
-                             io_level.light.size(), kMostSharing);
+                             io_level.light.size(), kMaxSharing);
     io_level.faces.push_back(face);
   }
   return base::Ok{};

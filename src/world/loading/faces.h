@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "formats/bsp.h"
+#include "formats/levels/bsp.h"
 #include "world/level.h"
 
 namespace temblor::world {

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kCheckerSize = 64;
 constexpr std::uint32_t kCheckerSquare = 8;
 // Black and the brightest red of the stock palette, which nothing else in a level looks like.
-constexpr std::uint8_t kCheckerColours[2] = {0, 251};
+constexpr std::uint8_t kCheckerColors[2] = {0, 251};
 
 TextureKind kind_of(std::string_view name) {
   if (base::equal_ignoring_case(name.substr(0, 3), "sky")) return TextureKind::kSky;
@@ -56,7 +56,7 @@ Texture make_missing_texture(std::string name) {
   texture.width = texture.height = kCheckerSize;
   for (std::uint32_t y = 0; y < kCheckerSize; ++y)
     for (std::uint32_t x = 0; x < kCheckerSize; ++x)
-      texture.mips[0].push_back(kCheckerColours[(x / kCheckerSquare + y / kCheckerSquare) % 2]);
+      texture.mips[0].push_back(kCheckerColors[(x / kCheckerSquare + y / kCheckerSquare) % 2]);
   complete_mips(texture);
   return texture;
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "formats/bsp.h"
+#include "formats/levels/bsp.h"
 #include "world/level.h"
 
 namespace temblor::world {

@@ -1,0 +1,203 @@
+#include "app/bench/bench_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <numeric>
+#include <thread>
+
+#include "app/bench/measurement.h"
+#include "app/bench/measurement_output.h"
+
+namespace temblor::app {
+namespace {
+
+constexpr std::array<render::PixelFormat, 2> kFormats = {render::PixelFormat::kIndexed,
+                                                         render::PixelFormat::kRgb};
+constexpr FrameSize kMainSize = {1920, 1080};
+
+// Where what is compared is a size or a stage and not single views, fewer views do.
+constexpr double kCoarseStepDeg = 30;
+
+// One row: what was measured, what it gave, what the goal is.
+void print_row(const std::string& what, const std::string& measured, const std::string& goal) {
+  fmt::print("| {} | {} | {} |\n", what, measured, goal);
+  std::fflush(stdout);  // a report takes minutes: show each row when it is there
+}
+
+MeasureOptions main_options(const render::Settings& settings, render::PixelFormat format, double step_deg) {
+  MeasureOptions options{.size = kMainSize, .format = format, .step_deg = step_deg, .settings = settings};
+  options.settings.threads = 1;
+  return options;
+}
+
+void report_format(const LoadedMap& map, const render::Settings& settings, render::PixelFormat format,
+                   double step_deg) {
+  MeasureOptions options = main_options(settings, format, step_deg);
+  options.cold = options.relight = true;
+  const Measurement one = measure(map, options);
+  const std::string name = name_of(format);
+  print_row(fmt::format("{}: world view, in floors", name),
+            fmt::format("{:.2f} ({:.2f} ms, floor {:.2f} ms, {} views from {} places)", render_floors(one),
+                        one.render_ms.p50, one.floor_ms.p50, one.frames, one.places),
+            "at most 1.2, aim 0.9");
+  if (format == render::PixelFormat::kIndexed)
+    print_row("indexed: present, in floors",
+              fmt::format("{:.2f} ({:.2f} ms)", present_floors(one), one.present_ms.p50), "at most 0.2");
+  print_row(fmt::format("{}: 99th percentile / median", name),
+            fmt::format("{:.2f} ({:.2f} ms; max {:.2f} ms)", one.frame_ms.p99 / one.frame_ms.p50,
+                        one.frame_ms.p99, one.frame_ms.max),
+            "at most 2");
+  print_row(fmt::format("{}: cold view / median", name),
+            fmt::format("median {:.2f}, 99th percentile {:.2f}", one.cold_ms->p50 / one.render_ms.p50,
+                        one.cold_ms->p99 / one.render_ms.p50),
+            "at most 4");
+  print_row(fmt::format("{}: every surface relit / static, frame rates", name),
+            fmt::format("{:.2f} ({:.2f} ms, {:.2f} ms static; half of the surfaces each frame: {:.2f} ms; "
+                        "a step of the standard light styles: {:.2f} ms, {:.0f} surfaces)",
+                        one.relight->still_ms.p50 / one.relight->relit_ms.p50, one.relight->relit_ms.p50,
+                        one.relight->still_ms.p50, one.relight->alternate_ms.p50,
+                        one.relight->animated_ms.p50, one.relight->animated_surfaces),
+            "at least 0.5");
+  print_row(fmt::format("{}: allocations in a warm frame", name), fmt::format("{}", one.most_allocations),
+            "0");
+  options.cold = options.relight = false;
+  options.settings.threads = 2;
+  const Measurement two = measure(map, options);
+  print_row(fmt::format("{}: two threads / one", name),
+            fmt::format("{:.2f} (two floors side by side: {:.2f})", one.render_ms.p50 / two.render_ms.p50,
+                        floor_speedup_of_two_threads(kMainSize, format)),
+            "at least 1.8 where the floors show 2");
+  if (format == render::PixelFormat::kIndexed)
+    print_row("faces in PVS / drawn / seen (medians)",
+              fmt::format("{:.0f} / {:.0f} / {:.0f}", one.faces_in_pvs.p50, one.faces_drawn.p50,
+                          one.faces_seen.p50),
+              "-");
+}
+
+// Share of the frame's time for each stage.
+std::string describe_shares(const Measurement& m) {
+  const double whole_ms = m.client_mean_ms + std::accumulate(m.stage_ms.begin(), m.stage_ms.end(), 0.0);
+  std::string text = fmt::format("client {:.0f} %", 100 * m.client_mean_ms / whole_ms);
+  for (std::size_t stage = 0; stage < render::kStages; ++stage)
+    text += fmt::format(", {} {:.0f} %", render::kStageNames[stage], 100 * m.stage_ms[stage] / whole_ms);
+  return text;
+}
+
+base::Status report_demo_format(const LoadedDemo& demo, const client::PresentationSettings& presentation,
+                                const render::Settings& settings, render::PixelFormat format) {
+  MeasureOptions options = main_options(settings, format, kCoarseStepDeg);
+  TRY(const Measurement one, measure_demo(demo, presentation, options));
+  options.settings.threads = 2;
+  TRY(const Measurement two, measure_demo(demo, presentation, options));
+  const std::string name = name_of(format);
+  print_row(fmt::format("{}: whole frame, in floors", name),
+            fmt::format("{:.2f} ({:.2f} ms, floor {:.2f} ms, {} frames)", render_floors(one),
+                        one.render_ms.p50, one.floor_ms.p50, one.frames),
+            "at most 1.4");
+  print_row(fmt::format("{}: 99th percentile, in floors", name),
+            fmt::format("{:.2f} ({:.2f} ms; max {:.2f} ms)", one.render_ms.p99 / one.floor_ms.p50,
+                        one.render_ms.p99, one.render_ms.max),
+            "at most 3");
+  print_row(fmt::format("{}: two threads / one", name),
+            fmt::format("{:.2f} (two floors side by side: {:.2f})", one.render_ms.p50 / two.render_ms.p50,
+                        floor_speedup_of_two_threads(kMainSize, format)),
+            "at least 1.8 where the floors show 2");
+  print_row(
+      fmt::format("{}: frames that allocate", name),
+      fmt::format("{} of {}, {} times at most", one.allocating_frames, one.frames, one.most_allocations),
+      "none but where more is seen than before");
+  print_row(fmt::format("{}: shares", name), describe_shares(one), "-");
+  return base::Ok{};
+}
+
+void report_depth_share(const LoadedMap& map, const render::Settings& settings, double step_deg) {
+  for (const render::PixelFormat format : kFormats) {
+    MeasureOptions options = main_options(settings, format, std::max(step_deg, kCoarseStepDeg));
+    const double with_depth = measure(map, options).render_ms.p50;
+    options.settings.fill_depth = false;
+    const double without = measure(map, options).render_ms.p50;
+    print_row(fmt::format("{}: share of the time for filling 1/z", name_of(format)),
+              fmt::format("{:.0f} % ({:.2f} ms of {:.2f} ms)", 100 * (1 - without / with_depth),
+                          with_depth - without, with_depth),
+              "-");
+  }
+}
+
+void report_sizes(const LoadedMap& map, const render::Settings& settings, double step_deg) {
+  constexpr std::array<FrameSize, 5> kSizes = {
+      {{320, 200}, {640, 480}, {1280, 720}, {1920, 1080}, {3840, 2160}}};
+  constexpr double kNanosecondsPerMs = 1e6;
+  for (const render::PixelFormat format : kFormats) {
+    MeasureOptions options = main_options(settings, format, std::max(step_deg, kCoarseStepDeg));
+    std::string times;
+    for (const FrameSize& size : kSizes) {
+      options.size = size;
+      const double ms = measure(map, options).render_ms.p50;
+      times += fmt::format("{}{}x{}: {:.2f} ms, {:.2f} ns/pixel", times.empty() ? "" : "; ", size.width,
+                           size.height, ms, ms * kNanosecondsPerMs / size.width / size.height);
+    }
+    print_row(fmt::format("{}: cost by size", name_of(format)), times, "no faster than pixels");
+  }
+}
+
+void report_surface_cache(const LoadedMap& map, const render::Settings& settings, double step_deg) {
+  struct Claim {
+    FrameSize size;
+    const char* text;
+  };
+  constexpr std::array<Claim, 2> kClaims = {{{{320, 200}, "article: 600 KB, about 64,000 texels"},
+                                             {{640, 480}, "article: a little more than 1 MB"}}};
+  constexpr double kKibibyte = 1024.0;
+  for (const Claim& claim : kClaims) {
+    MeasureOptions options = main_options(settings, render::PixelFormat::kIndexed, step_deg);
+    options.size = claim.size;
+    options.cold = true;
+    options.settings.mip_rule = render::MipRule::kStock;
+    const Measurement m = measure(map, options);
+    print_row(fmt::format("stock mips, {}x{}: texels in a frame's surfaces; cache after a circle",
+                          claim.size.width, claim.size.height),
+              fmt::format("median {:.0f}, max {:.0f} texels; median {:.0f} KiB, max {:.0f} KiB",
+                          m.texels_read.p50, m.texels_read.max, m.circle_cache_bytes->p50 / kKibibyte,
+                          m.circle_cache_bytes->max / kKibibyte),
+              claim.text);
+  }
+}
+
+// As the system names it, where it does (Linux).
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(std::min(line.find(": ") + 2, line.size()));
+  return "unknown processor";
+}
+
+}  // namespace
+
+void print_report_header() {
+  fmt::print("Machine: {}, {} threads. {}x{} and one thread unless said otherwise.\n", processor_name(),
+             std::thread::hardware_concurrency(), kMainSize.width, kMainSize.height);
+}
+
+void print_report(const std::string& map_name, const LoadedMap& map, const render::Settings& settings,
+                  double step_deg) {
+  fmt::print("\n### {}\n\n| what | measured | goal |\n| --- | --- | --- |\n", map_name);
+  for (const render::PixelFormat format : kFormats) report_format(map, settings, format, step_deg);
+  report_depth_share(map, settings, step_deg);
+  report_sizes(map, settings, step_deg);
+  report_surface_cache(map, settings, step_deg);
+}
+
+base::Status print_demo_report(const std::string& name, const LoadedDemo& demo,
+                               const client::PresentationSettings& presentation,
+                               const render::Settings& settings) {
+  fmt::print("\n### {}\n\n| what | measured | goal |\n| --- | --- | --- |\n", name);
+  for (const render::PixelFormat format : kFormats)
+    TRY_STATUS(report_demo_format(demo, presentation, settings, format));
+  return base::Ok{};
+}
+
+}  // namespace temblor::app

@@ -1,0 +1,244 @@
+#include "app/bench/measurement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "app/bench/allocation_counter.h"
+#include "app/bench/fill_baseline.h"
+#include "app/bench/samples.h"
+#include "app/bench/viewpoints.h"
+#include "app/files/level_scene.h"
+#include "app/files/progress.h"
+#include "base/check.h"
+#include "base/large_memory.h"
+
+namespace temblor::app {
+namespace {
+
+// The views of one circle, starting with the viewpoint's own direction.
+std::vector<render::Camera> circle_views(const Viewpoint& viewpoint, float fov_deg, double step_deg) {
+  std::vector<render::Camera> views;
+  const auto count = static_cast<int>(std::ceil(360.0 / step_deg));
+  for (int i = 0; i < count; ++i) {
+    render::Camera camera;
+    camera.origin_world = viewpoint.eye_world;
+    camera.angles_deg = viewpoint.angles_deg;
+    camera.angles_deg.y += static_cast<float>(step_deg * i);
+    camera.fov_deg = fov_deg;
+    views.push_back(camera);
+  }
+  return views;
+}
+
+// Every style at one value.
+struct Lighting {
+  std::uint16_t style_value, style_value_before;
+  std::uint32_t frame_number;
+  bool alternate;
+};
+
+// What is drawn with, kept from pass to pass.
+class Bench {
+ public:
+  Bench(const LoadedMap& map, const MeasureOptions& options)
+      : options_(options),
+        palette_(map.look.palette),
+        level_scene_(make_level_scene(map.level)),
+        renderer_(map.look.palette, map.look.colormap),
+        frame_(options.size.width, options.size.height, options.format),
+        floor_placement_(quickest_floor_placement(frame_)),
+        jobs_(options.settings.threads, options.settings.job_backend) {
+    for (const Viewpoint& viewpoint : all_viewpoints(*map.level))
+      circles_.push_back(circle_views(viewpoint, options.fov_deg, options.step_deg));
+    if (options.format == render::PixelFormat::kIndexed) {
+      window_ = base::allocate_large<std::uint32_t>(frame_.pixel_count());
+      CHECK(window_ != nullptr, "no memory for {} pixels", frame_.pixel_count());
+    }
+  }
+
+  render::FrameStats draw(const render::Camera& camera) { return draw(camera, 0.0); }
+  // With the light styles of that time; textures that move stand still.
+  render::FrameStats draw(const render::Camera& camera, double light_time_s) {
+    render::Scene scene = scene_at(level_scene_, camera, 0.0);
+    scene.light_styles = world::light_style_values(level_scene_.light_styles, light_time_s);
+    return renderer_.render(scene, options_.settings, frame_);
+  }
+  render::FrameStats draw_lit(const render::Camera& camera, const Lighting& light) {
+    render::Scene scene = scene_at(level_scene_, camera, 0.0);
+    scene.light_styles.fill(light.style_value);
+    render::SceneLight before;
+    before.light_styles.fill(light.style_value_before);
+    scene.light_before = &before;
+    scene.frame_number = light.frame_number;
+    render::Settings settings = options_.settings;
+    settings.relight_alternate = light.alternate;
+    return renderer_.render(scene, settings, frame_);
+  }
+  void present_frame() {
+    if (window_ != nullptr)
+      render::present(frame_, palette_, options_.settings.vector_kernels, jobs_,
+                      {window_.get(), frame_.pixel_count()});
+  }
+  void run_floor() { fill_with_floor_loop(floor_placement_, frame_); }
+  void drop_surfaces() { renderer_.drop_surfaces(); }
+  const std::vector<std::vector<render::Camera>>& circles() const { return circles_; }
+  std::size_t pixels() const { return frame_.pixel_count(); }
+
+ private:
+  const MeasureOptions& options_;
+  const formats::Palette& palette_;
+  LevelScene level_scene_;
+  render::Renderer renderer_;
+  render::FrameBuffer frame_;
+  int floor_placement_;
+  base::Jobs jobs_;
+  base::LargeMemory<std::uint32_t> window_;  // as a window's is; null where frames need no palette expansion
+  std::vector<std::vector<render::Camera>> circles_;
+};
+
+// Views whose surfaces are all still to be built, and the surfaces that a whole circle needs.
+void measure_cold(Bench& io_bench, Measurement& io_result) {
+  constexpr std::size_t kDirections = 4;
+  Progress progress("cold places");
+  std::vector<double> cold_ms, circle_bytes;
+  io_bench.draw(io_bench.circles().front().front());  // what is done once for a level is part of loading it
+  for (const auto& circle : io_bench.circles()) {
+    progress.update(circle_bytes.size(), io_bench.circles().size());
+    for (std::size_t i = 0; i < kDirections; ++i) {
+      const render::Camera& camera = circle[i * circle.size() / kDirections];
+      io_bench.drop_surfaces();
+      cold_ms.push_back(time_ms([&] { io_bench.draw(camera); }));
+    }
+    render::FrameStats last;
+    for (const render::Camera& camera : circle) last = io_bench.draw(camera);
+    circle_bytes.push_back(static_cast<double>(last.cache_bytes));
+  }
+  io_result.cold_ms = distribution_of(std::move(cold_ms));
+  io_result.circle_cache_bytes = distribution_of(std::move(circle_bytes));
+}
+
+RelightTimes measure_relight(Bench& io_bench) {
+  constexpr std::size_t kDirections = 4, kFrames = 10;
+  constexpr double kStyleStep_s = 0.1;
+  std::vector<double> still_ms, relit_ms, alternate_ms, animated_ms;
+  RelightTimes result;
+  const auto time_lit = [&](const render::Camera& camera, const Lighting& light) {
+    return time_ms([&] { io_bench.draw_lit(camera, light); });
+  };
+  // Some letters away from 'm', up and down.
+  const auto style_value = [](std::uint32_t frame) {
+    return static_cast<std::uint16_t>(256 + 22 * (frame % 5));
+  };
+  Progress progress("relit places");
+  for (std::size_t place = 0; place < io_bench.circles().size(); ++place) {
+    progress.update(place, io_bench.circles().size());
+    const auto& circle = io_bench.circles()[place];
+    for (std::size_t i = 0; i < kDirections; ++i) {
+      const render::Camera& camera = circle[i * circle.size() / kDirections];
+      const auto lighting = [&](std::uint32_t frame, bool alternate) {
+        return Lighting{style_value(frame), style_value(frame + 4), frame, alternate};
+      };
+      // The first frames of each kind bring their surfaces in.
+      for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+        const double ms = time_lit(camera, lighting(frame, false));
+        const double ms_again = time_lit(camera, lighting(frame, false));
+        if (frame == 0) continue;
+        relit_ms.push_back(ms);
+        still_ms.push_back(ms_again);
+      }
+      for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+        const double ms = time_lit(camera, lighting(frame, true));
+        if (frame > 1) alternate_ms.push_back(ms);
+      }
+      for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+        render::FrameStats stats;
+        const double ms = time_ms([&] { stats = io_bench.draw(camera, frame * kStyleStep_s); });
+        if (frame == 0) continue;
+        animated_ms.push_back(ms);
+        result.animated_surfaces += stats.surfaces_built;
+        result.animated_texels += static_cast<double>(stats.texels_built);
+      }
+    }
+  }
+  const auto frames = static_cast<double>(animated_ms.size());
+  result.animated_surfaces /= frames;
+  result.animated_texels /= frames;
+  result.still_ms = distribution_of(std::move(still_ms));
+  result.relit_ms = distribution_of(std::move(relit_ms));
+  result.alternate_ms = distribution_of(std::move(alternate_ms));
+  result.animated_ms = distribution_of(std::move(animated_ms));
+  return result;
+}
+
+// Draws every view once so that all is warm, then again with the clock running.
+Samples measure_warm(Bench& io_bench, Measurement& io_result) {
+  Samples samples;
+  std::size_t views = 0;
+  for (const auto& circle : io_bench.circles()) {
+    for (const render::Camera& camera : circle) io_bench.draw(camera);
+    views += circle.size();
+  }
+  samples.reserve(views);
+  Progress progress("warm views");
+  for (const auto& circle : io_bench.circles()) {
+    progress.update(samples.frame_ms.size(), views);
+    for (const render::Camera& camera : circle) {
+      render::FrameStats stats;
+      const std::uint64_t allocations_before = allocation_count();
+      const double render_ms = time_ms([&] { stats = io_bench.draw(camera); });
+      const double present_ms = time_ms([&] { io_bench.present_frame(); });
+      const std::uint64_t allocations = allocation_count() - allocations_before;
+      io_result.count_allocations(allocations);
+      samples.render_ms.push_back(render_ms);
+      samples.present_ms.push_back(present_ms);
+      samples.frame_ms.push_back(render_ms + present_ms);
+      samples.floor_ms.push_back(time_ms([&] { io_bench.run_floor(); }));
+      samples.add(stats);
+      io_result.surfaces_built += stats.surfaces_built;
+      io_result.cache_bytes = stats.cache_bytes;
+    }
+  }
+  return samples;
+}
+
+}  // namespace
+
+void Measurement::count_allocations(std::uint64_t of_frame) {
+  most_allocations = std::max(most_allocations, of_frame);
+  allocating_frames += of_frame > 0;
+}
+
+Measurement measure(const LoadedMap& map, const MeasureOptions& options) {
+  Bench bench(map, options);
+  Measurement result;
+  result.options = options;
+  result.places = bench.circles().size();
+  if (options.cold) measure_cold(bench, result);
+  if (options.relight) result.relight = measure_relight(bench);
+  measure_warm(bench, result).summarize(bench.pixels(), result);
+  return result;
+}
+
+double floor_speedup_of_two_threads(FrameSize size, render::PixelFormat format) {
+  constexpr int kRounds = 20;
+  constexpr int kFillsPerRound = 8;  // long enough that starting a thread does not count
+  render::FrameBuffer first(size.width, size.height, format), second(size.width, size.height, format);
+  const int placement = quickest_floor_placement(first);
+  const auto fill = [placement](render::FrameBuffer& frame) {
+    for (int i = 0; i < kFillsPerRound; ++i) fill_with_floor_loop(placement, frame);
+  };
+  fill(second);  // its pages are there before the clock runs
+  std::vector<double> alone_ms, together_ms;
+  for (int round = 0; round < kRounds; ++round) {
+    alone_ms.push_back(time_ms([&] { fill(first); }));
+    together_ms.push_back(time_ms([&] {
+      std::thread other([&] { fill(second); });
+      fill(first);
+      other.join();
+    }));
+  }
+  return 2.0 * distribution_of(alone_ms).p50 / distribution_of(together_ms).p50;
+}
+
+}  // namespace temblor::app

@@ -1,0 +1,209 @@
+#include "app/compile/compile_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "app/compile/compile_summary.h"
+#include "app/compile/texture_files.h"
+#include "app/files/diagnostics.h"
+#include "app/files/game_files.h"
+#include "app/files/progress.h"
+#include "base/text.h"
+#include "compiler/prefabs.h"
+#include "formats/levels/lit.h"
+#include "vfs/disk.h"
+
+namespace temblor::app {
+namespace {
+
+namespace fs = std::filesystem;
+using compiler::StagePolicy;
+
+// One line of progress for each stage; Ctrl-C is held back while visibility can be saved.
+class TerminalWatcher : public compiler::CompileWatcher {
+ public:
+  TerminalWatcher(Interrupt& interrupt, const LevelPaths& paths, bool saves)
+      : interrupt_(interrupt), paths_(paths), saves_(saves) {}
+  ~TerminalWatcher() override { interrupt_.let_go(); }
+
+  void begin_stage(const char* name) override {
+    progress_.emplace(name);
+    if (std::string_view(name) == "visibility")
+      interrupt_.hold();
+    else
+      interrupt_.let_go();
+  }
+  bool progress(std::size_t done, std::size_t total) override {
+    progress_->update(done, total);
+    return !interrupt_.was_noted();
+  }
+  void save(base::Bytes visibility_state) override {
+    if (!saves_) return;
+    if (const base::Status saved = write_visibility_begun(visibility_state, paths_); !saved.ok())
+      print_note(fmt::format("what visibility has so far is not saved: {}", saved.error().message()));
+  }
+  void finish() { progress_.reset(); }
+
+ private:
+  Interrupt& interrupt_;
+  const LevelPaths& paths_;
+  bool saves_;
+  std::optional<Progress> progress_;
+};
+
+compiler::CompileOptions compile_options(const CompileCommandOptions& options) {
+  const auto wish = [&](CompileStage stage, bool left_out) {
+    if (left_out) return StagePolicy::kSkip;
+    return !options.only || *options.only == stage ? StagePolicy::kBuild : StagePolicy::kReuse;
+  };
+  compiler::CompileOptions how;
+  how.visibility_wish = wish(CompileStage::kVisibility, options.no_vis);
+  how.light_wish = wish(CompileStage::kLight, options.no_light);
+  how.draft.water_is_transparent = !options.opaque_water;
+  how.fast_visibility = options.fast;
+  how.light.fast = options.fast;
+  how.light.extra = options.extra;
+  how.light.bounces = options.bounces;
+  how.mip_levels = options.built_mips ? compiler::MipLevels::kBuilt : compiler::MipLevels::kFromSource;
+  how.bsp2 = options.bsp2;
+  return how;
+}
+
+// With the maps in it; `io_files` gets the names of all that were read.
+base::Result<formats::Map> read_map_file(const std::string& path, std::vector<FileStamp>& io_files,
+                                         compiler::Warnings& io_warnings) {
+  const auto read = [&](const fs::path& file) -> base::Result<std::string> {
+    io_files.push_back(stamp_of(file));
+    TRY(const base::ByteVector bytes, vfs::read_disk_file(file));
+    return std::string(base::as_text(bytes));
+  };
+  TRY(const std::string text, read(path));
+  TRY(formats::Map map, formats::read_map(text).with_file(path));
+  return compiler::expand_prefabs(std::move(map), path, read, io_warnings).with_file(path);
+}
+
+// A level that was there before: what no build file knows is had from the level itself.
+base::Result<compiler::Build> build_of_file(const fs::path& bsp_path, bool water_is_transparent) {
+  TRY(const base::ByteVector bytes, vfs::read_disk_file(bsp_path));
+  TRY(formats::Bsp bsp, formats::read_bsp(bytes).with_file(bsp_path.string()));
+  std::optional<formats::Lit> lit;
+  const fs::path lit_path = level_paths(bsp_path).lit;
+  if (const auto lit_bytes = vfs::read_disk_file(lit_path); lit_bytes.ok()) {
+    TRY(lit, formats::read_lit(*lit_bytes).with_file(lit_path.string()));
+  }
+  return compiler::build_of_level(std::move(bsp), std::move(lit), water_is_transparent)
+      .with_file(bsp_path.string());
+}
+
+// Whether both are one file, whatever they are called by.
+bool are_one_file(const fs::path& a, const fs::path& b) {
+  std::error_code failure;
+  return a == b || (fs::equivalent(a, b, failure) && !failure);
+}
+
+// Nothing that is read, or lies beside the level, must be written over by it.
+base::Status check_output(const fs::path& source, const LevelPaths& paths) {
+  if (!is_level(source) && are_one_file(source, paths.bsp))
+    return base::Error{base::ErrorCode::kUsage, "is the map itself: -o names the level that is made of it",
+                       paths.bsp.string()};
+  for (const fs::path& beside : {paths.lit, paths.points, paths.build, paths.visibility})
+    if (beside == paths.bsp)
+      return base::Error{base::ErrorCode::kUsage,
+                         "is what another file beside the level is called: -o NAME.bsp", paths.bsp.string()};
+  return base::Ok{};
+}
+
+fs::path output_of(const CompileCommandOptions& options) {
+  if (!options.out.empty()) return options.out;
+  return is_level(options.source) ? fs::path(options.source)
+                                  : fs::path(options.source).replace_extension(".bsp");
+}
+
+int thread_count(const CompileCommandOptions& options) {
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  return options.threads.value_or(0) == 0 ? cores : *options.threads;
+}
+
+}  // namespace
+
+bool is_level(const fs::path& source) {
+  return base::to_lower(source.extension().string()) == ".bsp";
+}
+
+CompileSession::CompileSession(const CompileCommandOptions& options, formats::Palette palette,
+                               LevelPaths paths)
+    : options_(options), palette_(palette), paths_(std::move(paths)), jobs_(thread_count(options)) {}
+
+base::Result<std::unique_ptr<CompileSession>> CompileSession::begin(const CompileCommandOptions& options,
+                                                                    const GameFolders& folders) {
+  TRY(const assets::Look look, find_look(folders));
+  const LevelPaths paths = level_paths(output_of(options));
+  TRY_STATUS(check_output(options.source, paths));
+  if (compile_options(options).light_wish == StagePolicy::kBuild) TRY_STATUS(compiler::check_light());
+  std::unique_ptr<CompileSession> session(new CompileSession(options, look.palette, paths));
+  session->game_wads_ = wads_of_games(folders);
+  // A level that becomes another one begins with what is in it.
+  const bool is_its_own_source = !is_level(options.source) || are_one_file(options.source, paths.bsp);
+  if (!options.clean && is_its_own_source) session->build_ = read_build_file(session->paths_);
+  return session;
+}
+
+base::Result<compiler::CompileReport> CompileSession::run() {
+  return run(compile_options(options_));
+}
+
+base::Result<compiler::CompileReport> CompileSession::run_bsp() {
+  compiler::CompileOptions how = compile_options(options_);
+  how.visibility_wish = how.light_wish = StagePolicy::kReuse;
+  return run(how);
+}
+
+base::Result<compiler::CompileReport> CompileSession::run(const compiler::CompileOptions& how) {
+  compiler::Warnings warnings;
+  TerminalWatcher watcher(interrupt_, paths_, !options_.clean);
+  source_files_.clear();
+  if (options_.clean) build_ = {};
+  const auto stages = [&]() -> base::Result<compiler::CompileReport> {
+    if (!is_level(options_.source)) return run_map(how, watcher, warnings);
+    if (build_.bsp.models.empty()) {
+      base::ByteVector begun = std::move(build_.visibility_state);
+      TRY(build_, build_of_file(options_.source, how.draft.water_is_transparent));
+      build_.visibility_state = std::move(begun);
+    }
+    return compiler::finish_level(palette_, how, jobs_, watcher, build_, warnings);
+  };
+  base::Result<compiler::CompileReport> report = stages();
+  watcher.finish();
+  print_warnings(warnings);
+  if (!report.ok() && interrupt_.was_noted()) {
+    if (options_.clean || build_.visibility_state.empty())
+      return base::Error{base::ErrorCode::kIo, "stopped", options_.source};
+    TRY_STATUS(write_visibility_begun(build_.visibility_state, paths_));
+    return base::Error{base::ErrorCode::kIo, "stopped; the next run goes on with visibility from here",
+                       options_.source};
+  }
+  return std::move(report).with_file(options_.source);
+}
+
+base::Result<compiler::CompileReport> CompileSession::run_map(const compiler::CompileOptions& how,
+                                                              compiler::CompileWatcher& watcher,
+                                                              compiler::Warnings& io_warnings) {
+  TRY(const formats::Map map, read_map_file(options_.source, source_files_, io_warnings));
+  TRY(const TextureFiles textures, find_textures({options_.textures, options_.wads, game_wads_},
+                                                 options_.source, map, palette_, source_files_, io_warnings));
+  return compiler::compile_level(map, textures.sources, palette_, how, jobs_, watcher, build_, io_warnings);
+}
+
+compiler::LightOptions CompileSession::light_options() const {
+  compiler::LightOptions how = compile_options(options_).light;
+  how.palette = palette_;
+  return how;
+}
+
+}  // namespace temblor::app

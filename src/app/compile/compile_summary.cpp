@@ -1,0 +1,83 @@
+#include "app/compile/compile_summary.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <system_error>
+
+#include "app/files/diagnostics.h"
+#include "formats/levels/bsp.h"
+
+namespace temblor::app {
+
+void print_warnings(const compiler::Warnings& warnings) {
+  std::map<std::string, std::vector<const compiler::Warning*>> by_kind;
+  for (const compiler::Warning& warning : warnings) by_kind[warning.kind].push_back(&warning);
+  constexpr std::size_t kMaxShown = 3;
+  for (const auto& [kind, group] : by_kind) {
+    std::string line = fmt::format("{} ({})", kind, group.size());
+    for (std::size_t i = 0; i < std::min(group.size(), kMaxShown); ++i)
+      line += fmt::format("{} {}", i == 0 ? ":" : ";", group[i]->what);
+    if (group.size() > kMaxShown) line += "; ...";
+    print_note(line);
+  }
+}
+
+std::string describe_leak(const compiler::LeakPath& leak) {
+  const math::Vec3d& place = leak.points_world.front();
+  return fmt::format(
+      "the level leaks, so it has no visibility: entity {} ({}) at {:g} {:g} {:g}, line {} of the map, sees "
+      "the outside",
+      leak.entity, leak.classname, place.x, place.y, place.z, leak.line);
+}
+
+void print_leak(const compiler::LeakPath& leak, const LevelPaths& paths) {
+  print_note(fmt::format("{}; the way is in {} and {}", describe_leak(leak), paths.points.string(),
+                         paths.leak_picture.string()));
+}
+
+void print_summary(const compiler::Build& build, const compiler::CompileReport& report,
+                   const LevelPaths& paths) {
+  struct Count {
+    const char* what;
+    std::size_t count, classic;
+  };
+  const formats::Bsp& bsp = build.bsp;
+  std::error_code ignored;
+  fmt::print("{}: {} bytes, version {}\n", paths.bsp.string(), std::filesystem::file_size(paths.bsp, ignored),
+             formats::name_of(bsp.version));
+  for (const Count& c :
+       {Count{"models", bsp.models.size(), 256}, Count{"planes", bsp.planes.size(), 32767},
+        Count{"vertices", bsp.vertices.size(), 65535}, Count{"nodes", bsp.nodes.size(), 32767},
+        Count{"texinfos", bsp.texinfos.size(), 4096}, Count{"faces", bsp.faces.size(), 65535},
+        Count{"clipnodes", bsp.clipnodes.size(), 32767}, Count{"leaves", bsp.leaves.size(), 8192},
+        Count{"marksurfaces", bsp.marksurfaces.size(), 65535}, Count{"edges", bsp.edges.size(), 256000},
+        Count{"surfedges", bsp.surfedges.size(), 512000}, Count{"light bytes", bsp.lighting.size(), 1048576},
+        Count{"visibility bytes", bsp.visibility.size(), 1048576}})
+    fmt::print("  {:<18} {:>8} of {}{}\n", c.what, c.count, c.classic,
+               c.count > c.classic ? "  over the original's limit" : "");
+  if (build.mean_visible_share)
+    fmt::print("  leaves seen on average {:.1f} %\n", *build.mean_visible_share * 100);
+  for (const compiler::StageTime& time : report.times) {
+    if (time.wall_s)
+      fmt::print("  {:<18} {:>8.2f} s\n", time.name, *time.wall_s);
+    else
+      fmt::print("  {:<18} unchanged\n", time.name);
+  }
+}
+
+void print_times(const compiler::CompileReport& report, const LevelPaths& paths) {
+  std::string stages;
+  double sum_s = 0;
+  for (const compiler::StageTime& time : report.times) {
+    stages += fmt::format("{}{} {}", stages.empty() ? "" : ", ", time.name,
+                          time.wall_s ? fmt::format("{:.2f} s", *time.wall_s) : "unchanged");
+    sum_s += time.wall_s.value_or(0);
+  }
+  fmt::print("{}: {:.2f} s ({})\n", paths.bsp.string(), sum_s, stages);
+  std::fflush(stdout);
+}
+
+}  // namespace temblor::app

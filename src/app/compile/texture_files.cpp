@@ -1,0 +1,139 @@
+#include "app/compile/texture_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "app/files/game_files.h"
+#include "artgen/palette.h"
+#include "artgen/small_level.h"
+#include "base/text.h"
+#include "compiler/make_wad.h"
+#include "compiler/wad_paths.h"
+#include "vfs/disk.h"
+
+namespace temblor::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The PNG files of a folder, in the order of their names.
+base::Result<std::vector<fs::path>> find_pictures(const fs::path& folder) {
+  std::error_code failure;
+  std::vector<fs::path> paths;
+  for (fs::directory_iterator it(folder, failure), end; !failure && it != end; it.increment(failure))
+    if (base::to_lower(it->path().extension().string()) == ".png") paths.push_back(it->path());
+  if (failure) return base::Error{base::ErrorCode::kNotFound, "--textures: no such folder", folder.string()};
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+base::Result<base::ByteVector> wad_of(const std::vector<fs::path>& pictures,
+                                      const formats::Palette& palette) {
+  std::vector<base::ByteVector> bytes;
+  for (const fs::path& path : pictures) {
+    TRY(base::ByteVector png, vfs::read_disk_file(path));
+    bytes.push_back(std::move(png));
+  }
+  std::vector<compiler::PngFile> files;
+  for (std::size_t i = 0; i < pictures.size(); ++i) files.push_back({pictures[i].string(), bytes[i]});
+  return compiler::make_wad(files, palette);
+}
+
+// The first that is a file and can be read.
+bool add_first_of(const std::vector<fs::path>& candidates, std::vector<FileStamp>& io_stamps,
+                  TextureFiles& io_files) {
+  for (const fs::path& path : candidates) {
+    io_stamps.push_back(stamp_of(path));
+    base::Result<base::ByteVector> file = vfs::read_disk_file(path);
+    if (!file.ok()) continue;
+    io_files.add(path.filename().string(), std::move(file).value());
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void TextureFiles::add(std::string name, base::ByteVector file) {
+  bytes.push_back(std::make_unique<base::ByteVector>(std::move(file)));
+  sources.push_back({std::move(name), *bytes.back()});
+}
+
+base::Result<base::ByteVector> wad_of_pictures(const fs::path& folder, const formats::Palette& palette) {
+  TRY(const std::vector<fs::path> pictures, find_pictures(folder));
+  if (pictures.empty())
+    return base::Error{base::ErrorCode::kNotFound, "--textures: no .png file in it", folder.string()};
+  return wad_of(pictures, palette);
+}
+
+std::vector<fs::path> wads_of_games(const GameFolders& folders) {
+  constexpr const char* kFile = "textures.wad";
+  const base::Result<fs::path> base_folder = find_base_folder(folders);
+  std::vector<fs::path> wads;
+  if (!base_folder.ok()) return wads;
+  for (auto game = folders.games.rbegin(); game != folders.games.rend(); ++game)
+    wads.push_back(*base_folder / *game / kFile);
+  wads.push_back(*base_folder / "id1" / kFile);
+  return wads;
+}
+
+// Whether a WAD of the entry's file name is one of those that are taken anyway: the map means that one.
+bool is_at_hand(const std::string& entry, const TexturePlaces& places) {
+  const auto is_named = [&](const fs::path& wad) {
+    const std::vector<fs::path> beside = compiler::wad_candidates(entry, wad.parent_path(), {});
+    std::error_code ignored;
+    return fs::is_regular_file(wad, ignored) &&
+           std::ranges::find(beside, wad.lexically_normal()) != beside.end();
+  };
+  return std::ranges::any_of(places.wads, is_named) || std::ranges::any_of(places.game_wads, is_named);
+}
+
+base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::path& map_path,
+                                         const formats::Map& map, const formats::Palette& palette,
+                                         std::vector<FileStamp>& io_stamps, compiler::Warnings& io_warnings) {
+  TextureFiles files;
+  if (!places.pictures.empty()) {
+    io_stamps.push_back(stamp_of(places.pictures));
+    TRY(const std::vector<fs::path> pictures, find_pictures(places.pictures));
+    for (const fs::path& picture : pictures) io_stamps.push_back(stamp_of(picture));
+    TRY(base::ByteVector wad, wad_of(pictures, palette));
+    files.add(places.pictures, std::move(wad));
+  }
+  std::vector<fs::path> folders;
+  for (const std::string& wad : places.wads) {
+    std::error_code ignored;
+    if (fs::is_directory(wad, ignored)) {
+      folders.emplace_back(wad);
+      continue;
+    }
+    io_stamps.push_back(stamp_of(wad));
+    base::Result<base::ByteVector> file = vfs::read_disk_file(wad);
+    if (!file.ok()) {
+      const base::Error& why = file.error();
+      return base::Error{why.code, "--wad: " + why.what, wad};
+    }
+    files.add(fs::path(wad).filename().string(), std::move(file).value());
+  }
+  const std::string_view key =
+      map.entities.empty() ? "" : map.entities.front().fields.find("wad").value_or("");
+  for (const std::string& entry : compiler::split_wad_key(key)) {
+    constexpr std::size_t kMaxChars = 120;  // paths are long
+    const bool is_found =
+        add_first_of(compiler::wad_candidates(entry, map_path.parent_path(), folders), io_stamps, files);
+    if (!is_found && !is_at_hand(entry, places))
+      io_warnings.push_back({"WAD not found", fmt::format("{} (--wad FOLDER says where to look)",
+                                                          base::quotable(entry, kMaxChars))});
+  }
+  if (palette == artgen::make_palette()) {
+    TRY(base::ByteVector own, formats::write_bsp(artgen::make_small_level({.pvs = false, .light = false}),
+                                                 formats::BspVersion::k29));
+    files.add("Temblor's own", std::move(own));
+  }
+  for (const fs::path& wad : places.game_wads) add_first_of({wad}, io_stamps, files);
+  return files;
+}
+
+}  // namespace temblor::app

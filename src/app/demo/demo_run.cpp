@@ -1,0 +1,48 @@
+#include "app/demo/demo_run.h"
+
+#include <utility>
+
+namespace temblor::app {
+
+DemoRun::DemoRun(const LoadedDemo& demo, DemoPlayback playback, const FrameOptions& frame,
+                 const render::Settings& settings)
+    : playback_(std::move(playback)),
+      render_settings_(settings),
+      renderer_(demo.look.palette, demo.look.colormap),
+      frame_(frame.size.width, frame.size.height, frame.format) {
+  playback_.settings().view.fov_deg = frame.fov_deg;
+}
+
+base::Result<DemoRun> DemoRun::start(const LoadedDemo& demo, const FrameOptions& frame,
+                                     const client::PresentationSettings& presentation,
+                                     const render::Settings& settings) {
+  TRY(DemoPlayback playback, DemoPlayback::open(demo, presentation));
+  DemoRun run(demo, std::move(playback), frame, settings);
+  TRY_STATUS(run.advance_by_packet());
+  return run;
+}
+
+void DemoRun::lay_over() {
+  overlay_ = &playback_.presentation().draw_list(playback_.state(), frame_.width(), frame_.height(),
+                                                 playback_.settings());
+}
+
+base::Result<bool> DemoRun::advance_to(double time_s) {
+  TRY(const bool goes_on, playback_.advance_to(time_s));
+  lay_over();
+  return goes_on;
+}
+
+base::Result<bool> DemoRun::advance_by_packet() {
+  TRY(const bool goes_on, playback_.advance_by_packet());
+  lay_over();
+  return goes_on;
+}
+
+render::FrameStats DemoRun::draw() {
+  render::FrameStats stats = renderer_.render(scene(), render_settings_, frame_);
+  renderer_.draw_overlay(*overlay_, frame_, stats);
+  return stats;
+}
+
+}  // namespace temblor::app

@@ -1,0 +1,158 @@
+#include "app/files/child_process.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include "base/text.h"
+
+extern char** environ;
+
+namespace temblor::app {
+namespace {
+
+using base::ErrorCode;
+
+base::Error system_error(const char* what, int code) {
+  return base::error(ErrorCode::kIo, "{}: {}", what, std::generic_category().message(code));
+}
+
+// A pipe whose reader has gone answers with EPIPE, and does not end us, while this lives.
+class IgnoreBrokenPipe {
+ public:
+  IgnoreBrokenPipe() { previous_ = signal(SIGPIPE, SIG_IGN); }
+  ~IgnoreBrokenPipe() { signal(SIGPIPE, previous_); }
+  IgnoreBrokenPipe(const IgnoreBrokenPipe&) = delete;
+  IgnoreBrokenPipe& operator=(const IgnoreBrokenPipe&) = delete;
+
+ private:
+  void (*previous_)(int);
+};
+
+// A file that nobody else sees and that is gone when it is closed.
+int open_unnamed_file() {
+  std::FILE* file = std::tmpfile();
+  if (file == nullptr) return -1;
+  const int copy = fcntl(fileno(file), F_DUPFD_CLOEXEC, 3);
+  std::fclose(file);
+  return copy;
+}
+
+// 0, or an errno value. `pipe_end` becomes its standard input, `messages` its output and errors.
+int spawn(const std::vector<std::string>& words, int pipe_end, int messages, pid_t& out_process) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, pipe_end, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, messages, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, messages, STDERR_FILENO);
+  const int failure = posix_spawnp(&out_process, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return failure;
+}
+
+}  // namespace
+
+base::Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& words) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) return system_error("pipe", errno);
+  const int messages = open_unnamed_file();
+  pid_t process = -1;
+  const int failure = messages < 0 ? errno : spawn(words, ends[0], messages, process);
+  close(ends[0]);
+  if (failure == 0) return ChildProcess(words[0], process, ends[1], messages);
+  close(ends[1]);
+  if (messages >= 0) close(messages);
+  if (failure == ENOENT) return base::error(ErrorCode::kNotFound, "there is no program {} in PATH", words[0]);
+  return system_error(words[0].c_str(), failure);
+}
+
+ChildProcess::~ChildProcess() {
+  close_input();
+  if (process_ >= 0) {
+    kill(process_, SIGTERM);
+    waitpid(process_, nullptr, 0);
+  }
+  if (messages_ >= 0) close(messages_);
+}
+
+ChildProcess::ChildProcess(ChildProcess&& other) noexcept
+    : name_(std::move(other.name_)),
+      process_(std::exchange(other.process_, -1)),
+      input_(std::exchange(other.input_, -1)),
+      messages_(std::exchange(other.messages_, -1)) {}
+
+ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
+  std::swap(name_, other.name_);
+  std::swap(process_, other.process_);
+  std::swap(input_, other.input_);
+  std::swap(messages_, other.messages_);
+  return *this;
+}
+
+void ChildProcess::close_input() {
+  if (input_ >= 0) close(std::exchange(input_, -1));
+}
+
+std::string ChildProcess::message_text() const {
+  constexpr off_t kMaxBytes = 4096;
+  const off_t size = lseek(messages_, 0, SEEK_END);
+  std::string text(static_cast<std::size_t>(std::min(std::max<off_t>(size, 0), kMaxBytes)), '\0');
+  const ssize_t count = pread(messages_, text.data(), text.size(), size - static_cast<off_t>(text.size()));
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  return text;
+}
+
+std::vector<std::string> ChildProcess::messages() const {
+  std::vector<std::string> lines;
+  std::string line;
+  for (const char c : message_text() + '\n') {
+    if (c != '\n' && c != '\r')
+      line += c;
+    else if (!line.empty())
+      lines.push_back(base::printable(std::exchange(line, {})));
+  }
+  return lines;
+}
+
+base::Status ChildProcess::write(base::Bytes bytes) {
+  const IgnoreBrokenPipe ignore;
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(input_, bytes.data(), bytes.size());
+    if (written >= 0) {
+      bytes = bytes.subspan(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      const int failure = errno;
+      TRY_STATUS(finish());
+      return system_error(name_.c_str(), failure);
+    }
+  }
+  return base::Ok{};
+}
+
+base::Status ChildProcess::finish() {
+  if (process_ < 0) return base::Ok{};
+  close_input();
+  int status = 0;
+  while (waitpid(process_, &status, 0) < 0)
+    if (errno != EINTR) return system_error(name_.c_str(), errno);
+  process_ = -1;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return base::Ok{};
+  const std::vector<std::string> said = messages();
+  std::string message = said.empty() ? std::string() : said.back();
+  // Ours begins its lines with its name, as it stands here anyway.
+  if (const std::string own = name_ + ": "; message.starts_with(own)) message.erase(0, own.size());
+  return base::error(ErrorCode::kIo, "{} failed: {}", name_,
+                     message.empty() ? "it does not say why" : message);
+}
+
+}  // namespace temblor::app

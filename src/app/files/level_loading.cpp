@@ -1,0 +1,54 @@
+#include "app/files/level_loading.h"
+
+#include <fmt/format.h>
+
+#include "app/files/game_files.h"
+#include "artgen/small_level.h"
+#include "base/text.h"
+
+namespace temblor::app {
+namespace {
+
+using base::ErrorCode;
+
+constexpr std::string_view kMapFolder = "maps/";
+constexpr std::string_view kMapSuffix = ".bsp";
+
+// Boxes of ammunition and health are levels too, but not places.
+std::vector<std::string> places(const vfs::FileSystem& files) {
+  std::vector<std::string> names = stems(files, kMapFolder, kMapSuffix);
+  std::erase_if(names, [](const std::string& name) { return name.starts_with("b_"); });
+  return names;
+}
+
+base::Result<LoadedMap> load_small_level() {
+  LoadedMap loaded;
+  loaded.look = own_look();
+  TRY(loaded.level, world::make_level(artgen::make_small_level({.colored_light = true}), "small level"));
+  return loaded;
+}
+
+base::Result<assets::LoadedLevel> load_level(const GameFolders& folders, const std::string& map) {
+  if (base::to_lower(map).ends_with(kMapSuffix)) return assets::load_level_file(map);
+  TRY(const vfs::FileSystem files, open_files(folders));
+  const std::string path = fmt::format("{}{}{}", kMapFolder, map, kMapSuffix);
+  if (files.contains(path)) return assets::load_level(files, map);
+  base::Error error = base::error(ErrorCode::kNotFound, "no such level in {}; {}",
+                                  files.folders().back().parent_path().string(), suggest(map, places(files)));
+  error.file = path;
+  return error;
+}
+
+}  // namespace
+
+base::Result<LoadedMap> load_map(const GameFolders& folders, const std::string& map) {
+  if (map.empty()) return load_small_level();
+  LoadedMap loaded;
+  TRY(loaded.look, find_look(folders));
+  TRY(assets::LoadedLevel level, load_level(folders, map));
+  loaded.level = std::move(level.level);
+  loaded.notes = std::move(level.notes);
+  return loaded;
+}
+
+}  // namespace temblor::app

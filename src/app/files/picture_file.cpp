@@ -1,0 +1,80 @@
+#include "app/files/picture_file.h"
+
+#include <cerrno>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "base/text.h"
+#include "formats/images/png.h"
+
+namespace temblor::app {
+namespace {
+
+using base::ErrorCode;
+
+constexpr std::size_t kMaxDigits = 9;
+
+base::Error bad_name(const std::string& pattern) {
+  return base::error(ErrorCode::kUsage, "-o {}: a picture's name ends in .png and has at most one %d or %05d",
+                     pattern);
+}
+
+base::Error cannot_write(const std::string& path, int system_error) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code ignored;
+  const bool folder_missing = !folder.empty() && !std::filesystem::is_directory(folder, ignored);
+  base::Error error =
+      folder_missing
+          ? base::error(ErrorCode::kIo, "the folder {} does not exist: make it, or choose another with -o",
+                        folder.string())
+          : base::error(ErrorCode::kIo, "cannot be written ({}): choose another place with -o",
+                        std::generic_category().message(system_error));
+  error.file = path;
+  return error;
+}
+
+base::Status write_file(const std::string& path, base::Bytes bytes) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (!file) return cannot_write(path, errno);
+  return base::Ok{};
+}
+
+}  // namespace
+
+bool is_numbered(const std::string& pattern) {
+  return pattern.find('%') != std::string::npos;
+}
+
+base::Result<std::string> numbered_name(const std::string& pattern, std::size_t number) {
+  if (!base::to_lower(pattern).ends_with(".png")) return bad_name(pattern);
+  const std::size_t percent = pattern.find('%');
+  if (percent == std::string::npos) return pattern;
+  const std::size_t end = pattern.find('d', percent);
+  if (end == std::string::npos) return bad_name(pattern);
+  const std::string width_text = pattern.substr(percent + 1, end - percent - 1);
+  std::size_t width = 0;
+  if (!width_text.empty()) {
+    const char* text_end = width_text.data() + width_text.size();
+    const auto [parsed_end, failure] = std::from_chars(width_text.data(), text_end, width);
+    if (failure != std::errc{} || parsed_end != text_end || width > kMaxDigits) return bad_name(pattern);
+  }
+  const std::string rest = pattern.substr(end + 1);
+  if (is_numbered(rest)) return bad_name(pattern);
+  return fmt::format("{}{:0{}}{}", pattern.substr(0, percent), number, width, rest);
+}
+
+base::Status write_picture_file(const std::string& path, const render::FrameBuffer& frame,
+                                const formats::Palette& palette) {
+  TRY(const base::ByteVector png,
+      frame.format() == render::PixelFormat::kIndexed
+          ? formats::write_png(frame.indexed(), frame.width(), frame.height(), palette)
+          : formats::write_png(frame.rgb(), frame.width(), frame.height()));
+  return write_file(path, png);
+}
+
+}  // namespace temblor::app

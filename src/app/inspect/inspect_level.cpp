@@ -1,0 +1,102 @@
+// Levels, their light and their entities.
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "app/inspect/inspection.h"
+#include "formats/levels/bsp.h"
+#include "formats/levels/entities.h"
+#include "formats/levels/lit.h"
+#include "world/level.h"
+
+namespace temblor::app {
+namespace {
+
+Inspection count_classes(const std::vector<formats::Entity>& entities) {
+  std::map<std::string, std::size_t> counts;
+  for (const formats::Entity& entity : entities)
+    ++counts[entity.classname().empty() ? "(no classname)" : std::string(entity.classname())];
+  return Inspection(counts);
+}
+
+Inspection count_lumps(const formats::Bsp& bsp) {
+  return {{"planes", bsp.planes.size()},       {"vertices", bsp.vertices.size()},
+          {"edges", bsp.edges.size()},         {"surfedges", bsp.surfedges.size()},
+          {"faces", bsp.faces.size()},         {"texinfos", bsp.texinfos.size()},
+          {"nodes", bsp.nodes.size()},         {"leaves", bsp.leaves.size()},
+          {"clipnodes", bsp.clipnodes.size()}, {"marksurfaces", bsp.marksurfaces.size()},
+          {"models", bsp.models.size()},       {"light samples", bsp.lighting.size()},
+          {"PVS bytes", bsp.visibility.size()}};
+}
+
+Inspection list_textures(const formats::Bsp& bsp) {
+  Inspection textures = Inspection::array();
+  for (const formats::BspMiptex& miptex : bsp.miptexes)
+    if (miptex.present)
+      textures.push_back({{"name", miptex.name}, {"width", miptex.width}, {"height", miptex.height}});
+  return textures;
+}
+
+Inspection list_styles(const formats::Bsp& bsp) {
+  std::set<int> styles;
+  for (const formats::BspFace& face : bsp.faces)
+    for (const std::uint8_t style : face.styles)
+      if (style != world::kNoStyle) styles.insert(style);
+  return Inspection(styles);
+}
+
+// What is allowed, but not as a level should be.
+Inspection find_problems(const formats::Bsp& bsp, const world::Level& level) {
+  Inspection problems = Inspection::array();
+  std::set<std::string> missing;
+  for (const world::Face& face : level.faces)
+    if (level.texture(face.texture).missing) missing.insert(level.texture(face.texture).name);
+  for (const std::string& name : missing)
+    problems.push_back(fmt::format("texture \"{}\" is not in the level: drawn as a checker", name));
+  if (bsp.visibility.empty()) problems.push_back("no PVS: everything counts as visible from everywhere");
+  if (bsp.lighting.empty()) problems.push_back("no light: everything is drawn full-bright");
+  bool has_start = false;
+  for (const formats::Entity& entity : level.entities)
+    has_start = has_start || entity.classname().starts_with("info_player_");
+  if (!has_start) problems.push_back("no info_player_start: players cannot enter");
+  return problems;
+}
+
+}  // namespace
+
+base::Result<Inspection> inspect_bsp(base::Bytes bytes) {
+  TRY(const formats::Bsp bsp, formats::read_bsp(bytes));
+  TRY(const std::shared_ptr<const world::Level> level, world::make_level(bsp, "inspected"));
+  Inspection result;
+  result["version"] = formats::name_of(bsp.version);
+  result["mins"] = json_of(bsp.models[0].mins);
+  result["maxs"] = json_of(bsp.models[0].maxs);
+  result["visible leaves"] = level->visible_leaf_count;
+  result["counts"] = count_lumps(bsp);
+  result["light styles"] = list_styles(bsp);
+  result["colored light"] = !level->light_rgb.empty();
+  result["BSPX lumps"] = Inspection::array();
+  for (const formats::BspxLump& lump : bsp.bspx)
+    result["BSPX lumps"].push_back({{"name", lump.name}, {"bytes", lump.data.size()}});
+  result["entities"] = count_classes(level->entities);
+  result["textures"] = list_textures(bsp);
+  result["problems"] = find_problems(bsp, *level);
+  return result;
+}
+
+base::Result<Inspection> inspect_lit(base::Bytes bytes) {
+  TRY(const formats::Lit lit, formats::read_lit(bytes));
+  return Inspection{{"light samples", lit.samples.size() / 3}, {"problems", Inspection::array()}};
+}
+
+base::Result<Inspection> inspect_entities(base::Bytes bytes) {
+  TRY(const std::vector<formats::Entity> entities, formats::read_entities(base::as_text(bytes)));
+  Inspection problems = Inspection::array();
+  if (entities.empty() || entities[0].classname() != "worldspawn")
+    problems.push_back("the first entity is not worldspawn");
+  return Inspection{{"count", entities.size()}, {"classes", count_classes(entities)}, {"problems", problems}};
+}
+
+}  // namespace temblor::app

@@ -1,0 +1,140 @@
+#include "audio/mixing/music_stream.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace temblor::audio {
+namespace {
+
+constexpr std::size_t kPiece_frames = 2048;
+constexpr auto kNap = std::chrono::milliseconds(15);
+// What is left of a break after a frame: it is gone in some 5 ms.
+constexpr float kBridge = 0.98f;
+
+}  // namespace
+
+MusicStream::MusicStream() : thread_([this] { decode_ahead(); }) {}
+
+MusicStream::~MusicStream() {
+  {
+    const std::lock_guard lock(mutex_);
+    quits_ = true;
+    is_called_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+void MusicStream::play(OpenMusic open) {
+  {
+    const std::lock_guard lock(mutex_);
+    std::swap(next_, open);
+    has_next_ = true;
+    is_called_ = true;
+    has_failed_ = false;  // the music before may have
+    failure_.reset();
+  }
+  wake_.notify_one();
+}
+
+std::optional<base::Error> MusicStream::take_failure() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(failure_, std::nullopt);
+}
+
+// What is still to be read belongs to the music before.
+void MusicStream::open_next(std::unique_lock<std::mutex>& io_lock) {
+  const OpenMusic open = std::exchange(next_, nullptr);
+  has_next_ = is_called_ = has_failed_ = false;
+  decoder_.reset();
+  dropped_.store(written_, std::memory_order_release);
+  if (open == nullptr) return;
+  io_lock.unlock();
+  base::Result<MusicDecoder> opened = open();
+  io_lock.lock();
+  if (opened.ok())
+    decoder_.emplace(std::move(opened).value());
+  else if (!has_next_)
+    failure_ = opened.error();
+}
+
+void MusicStream::decode_ahead() {
+  std::unique_lock lock(mutex_);
+  while (!quits_) {
+    if (has_next_) open_next(lock);
+    lock.unlock();
+    fill();
+    lock.lock();
+    const auto is_called = [&] { return quits_ || has_next_; };
+    if (decoder_)
+      wake_.wait_for(lock, kNap, is_called);
+    else
+      wake_.wait(lock, is_called);
+  }
+}
+
+void MusicStream::fill() {
+  if (!decoder_) return;
+  std::size_t written = written_.load(std::memory_order_relaxed);
+  while (!is_called_ && kRing_frames - (written - read_.load(std::memory_order_acquire)) >= kPiece_frames) {
+    // Pieces divide the ring, so that none goes over its end.
+    const std::span<float> piece = std::span(ring_).subspan(2 * (written % kRing_frames), 2 * kPiece_frames);
+    decoder_->read(piece);
+    written += kPiece_frames;
+    written_.store(written, std::memory_order_release);
+  }
+  if (!is_called_) has_failed_ = decoder_->has_failed();
+}
+
+std::size_t MusicStream::frames_ready() const {
+  const std::size_t from = std::max(read_.load(), dropped_.load());
+  return written_.load() - from;
+}
+
+void MusicStream::take(std::span<float> out_samples, std::size_t from_frame) {
+  const std::size_t at = 2 * (from_frame % kRing_frames);
+  const std::size_t before_end = std::min(out_samples.size(), ring_.size() - at);
+  std::copy_n(ring_.begin() + static_cast<std::ptrdiff_t>(at), before_end, out_samples.begin());
+  std::copy_n(ring_.begin(), out_samples.size() - before_end,
+              out_samples.begin() + static_cast<std::ptrdiff_t>(before_end));
+}
+
+// Over a break the sound slides from where it was, instead of jumping.
+void MusicStream::bridge(std::span<float> io_samples) {
+  for (std::size_t i = 0; i < io_samples.size(); ++i) {
+    float& offset = offset_[i % 2];
+    io_samples[i] += offset;
+    offset *= kBridge;
+    if (offset < 1e-6f && offset > -1e-6f) offset = 0;
+  }
+}
+
+void MusicStream::read(std::span<float> out_samples) {
+  const std::size_t written = written_.load(std::memory_order_acquire);
+  const std::size_t read = read_.load(std::memory_order_relaxed);
+  const std::size_t from = std::max(read, dropped_.load(std::memory_order_acquire));
+  // dropped_ may have run ahead of what was seen of written_.
+  const std::size_t ready = written > from && !paused_ ? written - from : 0;
+  const std::size_t count = std::min(ready, out_samples.size() / 2);
+  const std::span<float> music = out_samples.first(2 * count), silence = out_samples.subspan(2 * count);
+  const auto break_before = [&](std::span<const float> next, const float* last) {
+    offset_ = {last[0] - next[0], last[1] - next[1]};
+  };
+  if (count > 0) {
+    take(music, from);
+    if (from != read || !was_playing_) break_before(music, last_.data());
+    bridge(music);
+    last_ = {music[music.size() - 2], music[music.size() - 1]};
+  }
+  if (!silence.empty()) {
+    std::fill(silence.begin(), silence.end(), 0.0f);
+    if (count > 0 || was_playing_) break_before(silence, last_.data());
+    bridge(silence);
+    last_ = {silence[silence.size() - 2], silence[silence.size() - 1]};
+  }
+  was_playing_ = silence.empty() && count > 0;
+  read_.store(from + count, std::memory_order_release);
+}
+
+}  // namespace temblor::audio

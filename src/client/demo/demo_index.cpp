@@ -1,0 +1,66 @@
+#include "client/demo/demo_index.h"
+
+#include <algorithm>
+
+namespace temblor::client {
+
+void collect_static_sounds(const Events& events, std::vector<net::SpawnStaticSound>& io_sounds) {
+  if (events.new_level) io_sounds.clear();
+  io_sounds.insert(io_sounds.end(), events.static_sounds.begin(), events.static_sounds.end());
+}
+
+base::Result<DemoIndex> DemoIndex::make(DemoPlayer& io_player) {
+  DemoIndex index;
+  EffectCounts effects;
+  std::vector<net::SpawnStaticSound> static_sounds;
+  TRY(index.length_, io_player.play_out([&] {
+    const Events& events = io_player.state().events();
+    index.add(io_player, effects, static_sounds);
+    Effects::count(events, effects);
+    collect_static_sounds(events, static_sounds);
+  }));
+  return index;
+}
+
+void DemoIndex::add(const DemoPlayer& player, const EffectCounts& effects,
+                    const std::vector<net::SpawnStaticSound>& static_sounds) {
+  const double time_s = player.packet_time_s();
+  const bool begins_level = player.state().events().new_level;
+  packet_times_s_.push_back(time_s);
+  if (!entries_.empty() && !begins_level && time_s < entries_.back().time_s + spacing_s_) return;
+  if (entries_.size() == kMaxEntries) thin_out();
+  entries_.push_back({player.place(), time_s, begins_level, effects, static_sounds});
+  bytes_ += bytes_of(entries_.back());
+  while (bytes_ > kMaxBytes && entries_.size() > 2) thin_out();
+}
+
+std::size_t DemoIndex::bytes_of(const Entry& entry) {
+  return entry.place.memory_bytes() + entry.static_sounds.size() * sizeof(net::SpawnStaticSound);
+}
+
+// Every second one goes. The first stays, as all that comes before the second has to start there.
+void DemoIndex::thin_out() {
+  std::size_t kept = 0;
+  bytes_ = 0;
+  for (std::size_t i = 0; i < entries_.size(); i += 2) {
+    if (i != kept) entries_[kept] = std::move(entries_[i]);
+    bytes_ += bytes_of(entries_[kept]);
+    ++kept;
+  }
+  entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(kept), entries_.end());
+  spacing_s_ *= 2;
+}
+
+const DemoIndex::Entry& DemoIndex::entry_before(double time_s, double lead_s) const {
+  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
+    if (entry->time_s <= time_s - lead_s || (entry->begins_level && entry->time_s < time_s)) return *entry;
+  return entries_.front();
+}
+
+const DemoIndex::Entry& DemoIndex::level_before(double time_s) const {
+  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
+    if (entry->begins_level && entry->time_s < time_s) return *entry;
+  return entries_.front();
+}
+
+}  // namespace temblor::client

@@ -1,0 +1,148 @@
+#include "client/demo/demo_player.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "client/session/interpolation.h"
+
+namespace temblor::client {
+
+namespace {
+
+// The original's rule for a client that has fallen behind.
+constexpr double kMaxGap_s = 0.1;
+
+}  // namespace
+
+struct DemoPlayer::Record {
+  bool has_time = false;
+  bool is_last = false;
+  std::optional<math::Vec3> set_angles_deg;
+};
+
+base::Result<DemoPlayer> DemoPlayer::open(base::ByteVector bytes, std::string name) {
+  auto demo = formats::DemReader::open(bytes).with_file(name);
+  if (!demo.ok()) return demo.error();
+  return DemoPlayer(std::move(bytes), *demo, std::move(name));
+}
+
+base::Result<DemoLength> DemoPlayer::scan(base::Bytes bytes, std::string name) {
+  auto demo = formats::DemReader::open(bytes).with_file(name);
+  if (!demo.ok()) return demo.error();
+  DemoPlayer player({}, *demo, std::move(name));
+  return player.play_out([] {});
+}
+
+base::Result<DemoLength> DemoPlayer::play_out(base::FunctionRef<void()> on_packet) {
+  DemoLength length;
+  while (true) {
+    const auto read = read_packet();
+    if (!read.ok()) length.damage = read.error();
+    if (!read.ok() || !*read) break;
+    if (now_.state.events().new_level) length.levels.push_back(now_.state.game().models[1]);
+    on_packet();
+    now_.state.events().clear();
+    if (length.packets == 0) length.first_time_s = now_.packet_time_s;
+    length.last_time_s = now_.packet_time_s;
+    ++length.packets;
+  }
+  length.cut_short = cut_short();
+  if (length.packets > 0) return length;
+  if (length.damage) return *length.damage;
+  return base::Result<DemoLength>(base::malformed("the recording ends before the game in it begins"))
+      .with_file(name_);
+}
+
+base::Result<bool> DemoPlayer::advance_to(double time_s) {
+  while (!now_.has_ended && (!is_playing() || now_.packet_time_s < time_s)) TRY_STATUS(read_record());
+  const PacketWindow window = packet_window(now_.state.previous_time_s(), now_.state.time_s());
+  now_.server_time_s =
+      std::clamp(time_s + now_.server_ahead_s, std::min(window.begin_s, window.end_s), window.end_s);
+  return !now_.has_ended;
+}
+
+base::Result<bool> DemoPlayer::read_packet() {
+  do TRY_STATUS(read_record());
+  while (!now_.has_ended && !is_playing());
+  now_.server_time_s = now_.state.time_s();
+  return !now_.has_ended;
+}
+
+base::Result<bool> DemoPlayer::begin_packet() {
+  TRY(const bool goes_on, read_packet());
+  const PacketWindow window = packet_window(now_.state.previous_time_s(), now_.state.time_s());
+  now_.server_time_s = std::min(window.begin_s, window.end_s);
+  return goes_on;
+}
+
+base::Result<bool> DemoPlayer::read_record() {
+  if (now_.has_ended) return false;
+  auto read = play_record();
+  now_.has_ended = !read.ok() || !*read;
+  return std::move(read).with_file(name_);
+}
+
+// False: there is none.
+base::Result<bool> DemoPlayer::play_record() {
+  TRY(const auto packet, now_.demo.next());
+  if (!packet) return false;
+  const double previous_time_s = now_.state.time_s();
+  Record record;
+  TRY_STATUS(apply_messages(*packet, record));
+  now_.state.end_packet();
+  if (record.has_time) {
+    run_clock(previous_time_s);
+    const bool turned_at_once = now_.state.view_has_jumped();
+    now_.previous_angles_deg = turned_at_once ? packet->view_angles_deg : now_.angles_deg;
+    now_.angles_deg = packet->view_angles_deg;
+  }
+  // A record holds where the player looked before he read its messages.
+  if (record.set_angles_deg) now_.previous_angles_deg = now_.angles_deg = *record.set_angles_deg;
+  return !record.is_last;
+}
+
+base::Status DemoPlayer::apply_messages(const formats::DemMessage& packet, Record& out_record) {
+  now_.messages.begin(packet.message, packet.offset);
+  while (true) {
+    const std::size_t offset = now_.messages.offset_in_file();
+    TRY(const auto message, now_.messages.next());
+    if (!message) return base::Ok{};
+    if (auto status = now_.state.apply(*message); !status.ok())
+      return base::error(status.error().code, "offset {}: {}: {}", offset, net::name_of(*message),
+                         status.error().what);
+    if (std::holds_alternative<net::Time>(*message)) {
+      out_record.has_time = true;
+    } else if (const auto* set = std::get_if<net::SetAngle>(&*message)) {
+      out_record.set_angles_deg = set->angles_deg;
+    } else if (std::holds_alternative<net::ServerInfo>(*message)) {
+      out_record = {};
+      now_.level_begins = true;
+    } else if (std::holds_alternative<net::Disconnect>(*message)) {
+      out_record.is_last = true;
+    }
+  }
+}
+
+void DemoPlayer::run_clock(double previous_time_s) {
+  const double now_s = now_.state.time_s(), gap_s = now_s - previous_time_s;
+  if (!now_.clock_runs) {
+    now_.packet_time_s = now_s;
+  } else if (!now_.level_begins && gap_s >= 0 && gap_s <= kMaxGap_s) {
+    now_.packet_time_s = now_s - now_.server_ahead_s;
+  } else {
+    if (!now_.level_begins) now_.packet_time_s += std::clamp(gap_s, 0.0, kMaxGap_s);
+    now_.server_ahead_s = now_s - now_.packet_time_s;
+  }
+  now_.clock_runs = true;
+  now_.level_begins = false;
+}
+
+math::Vec3 DemoPlayer::view_angles_at(double server_time_s, const ClientSettings& settings) const {
+  if (!settings.interpolate) return now_.angles_deg;
+  const PacketWindow window = packet_window(now_.state.previous_time_s(), now_.state.time_s());
+  return blend_angles_deg(now_.previous_angles_deg, now_.angles_deg,
+                          fraction_passed(window.begin_s, window.end_s, server_time_s));
+}
+
+}  // namespace temblor::client

@@ -1,0 +1,15 @@
+#include "client/hud/corner_text.h"
+
+#include "client/hud/panel.h"
+
+namespace temblor::client {
+
+void draw_corner_text(const assets::Pictures& pictures, std::string_view text, int line, int width,
+                      int height, render::DrawList& io_list) {
+  const int scale = choose_scale(width, height, 0);
+  const Panel panel(pictures, io_list, width, height, scale);
+  const int characters = static_cast<int>(text.size()) + 1;
+  panel.text(text, width / scale - characters * kCharacterSide, (line + 1) * kCharacterSide);
+}
+
+}  // namespace temblor::client

@@ -1,0 +1,109 @@
+#include "client/hud/hud.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "client/hud/center_text.h"
+#include "client/hud/ending.h"
+#include "client/hud/panel.h"
+#include "client/hud/scoreboard.h"
+#include "client/hud/status_bar.h"
+
+namespace temblor::client {
+
+namespace {
+
+constexpr double kPainSeconds = 0.2, kCenterTextSeconds = 2, kHintAfterSeconds = 1;
+
+void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
+               const HudSettings& settings) {
+  const Panel bar = panel.at_bottom(kBarHeight);
+  if (settings.status_bar == StatusBar::kNone) {
+    if (settings.shows_scores) draw_level_scores(bar, game, time_s, settings.opacity);
+    return;
+  }
+  if (settings.status_bar == StatusBar::kFull)
+    draw_inventory(panel.at_bottom(kBarHeight + kInventoryHeight), game, times, time_s,
+                   {settings.opacity, settings.safe_colors});
+  if (game.stat(Stat::kHealth) <= 0 || settings.shows_scores)
+    draw_level_scores(bar, game, time_s, settings.opacity);
+  else
+    draw_status_bar(bar, game, times, time_s, {settings.opacity, settings.safe_colors});
+}
+
+// Above the status bar, whose height it leaves free whether that is shown or not.
+void draw_death_hint(const Panel& panel, std::string_view hint) {
+  constexpr int kLine = kCharacterSide + 2, kGap = 6;
+  const int lines = 1 + static_cast<int>(std::count(hint.begin(), hint.end(), '\n'));
+  const Panel place = panel.at_bottom(kBarHeight + kInventoryHeight + kGap + lines * kLine);
+  for (int y = 0; !hint.empty(); y += kLine) {
+    const std::string_view line = hint.substr(0, hint.find('\n'));
+    place.text(line, (kScreenWidth - static_cast<int>(line.size()) * kCharacterSide) / 2, y);
+    hint.remove_prefix(std::min(line.size() + 1, hint.size()));
+  }
+}
+
+void draw_play(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
+               const HudSettings& settings) {
+  if (game.stat(Stat::kHealth) > 0) draw_crosshair(panel, settings.crosshair);
+  draw_bars(panel, game, times, time_s, settings);
+  const bool is_dead_in_deathmatch = game.deathmatch && game.stat(Stat::kHealth) <= 0;
+  if (is_dead_in_deathmatch || (settings.shows_scores && game.players.size() > 1))
+    draw_ranking(panel.in_middle(kScreenHeight), game);
+  else if (time_s - game.center_text_since_s < kCenterTextSeconds)
+    draw_center_text(panel, game.center_text);
+  if (game.stat(Stat::kHealth) <= 0 && time_s - times.died_s >= kHintAfterSeconds)
+    draw_death_hint(panel, settings.death_hint);
+}
+
+void draw_pause(const Panel& panel) {
+  constexpr int kY = 64;  // in the middle of what the status bar leaves
+  panel.in_middle(kScreenHeight).picture_in_middle("gfx/pause.lmp", kY);
+}
+
+}  // namespace
+
+void Hud::begin_level() {
+  constexpr double kNever = std::numeric_limits<double>::lowest();
+  times_.pain_until_s = kNever;
+  times_.item_gained_s.fill(kNever);
+  times_.died_s = kNever;
+  is_dead_ = false;
+  items_ = 0;
+  last_time_s_ = kNever;
+}
+
+void Hud::advance(const Game& game, const Events& events, double time_s) {
+  if (events.new_level || time_s < last_time_s_) begin_level();
+  last_time_s_ = time_s;
+  const std::uint32_t gained = game.data.items & ~items_;
+  items_ = game.data.items;
+  for (std::size_t bit = 0; bit < times_.item_gained_s.size(); ++bit)
+    if ((gained >> bit & 1) != 0) times_.item_gained_s[bit] = time_s;
+  const bool is_dead = game.stat(Stat::kHealth) <= 0;
+  if (is_dead && !std::exchange(is_dead_, is_dead)) times_.died_s = time_s;
+  is_dead_ = is_dead;
+  for (const net::Damage& damage : events.damages)
+    if (damage.armor > 0 || damage.blood > 0) times_.pain_until_s = time_s + kPainSeconds;
+}
+
+void Hud::draw(const Game& game, double time_s, int width, int height, const HudSettings& settings,
+               render::DrawList& io_list) const {
+  const Panel panel(pictures_, io_list, width, height, choose_scale(width, height, settings.scale));
+  switch (game.ending) {
+    case Ending::kNone:
+      draw_play(panel, game, times_, time_s, settings);
+      break;
+    case Ending::kIntermission:
+      draw_intermission(panel, game);
+      break;
+    case Ending::kFinale:
+    case Ending::kCutScene:
+      draw_finale(panel, game, time_s);
+      break;
+  }
+  if (game.paused) draw_pause(panel);
+}
+
+}  // namespace temblor::client

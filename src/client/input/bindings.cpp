@@ -1,0 +1,213 @@
+#include "client/input/bindings.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "base/text.h"
+#include "client/input/key_names.h"
+#include "command/text.h"
+
+namespace temblor::client {
+namespace {
+
+using platform::Key;
+
+// Character keys stand for themselves.
+constexpr std::pair<std::string_view, std::string_view> kDefaults[] = {
+    {"w", "+forward"},
+    {"s", "+back"},
+    {"a", "+moveleft"},
+    {"d", "+moveright"},
+    {"UPARROW", "+forward"},
+    {"DOWNARROW", "+back"},
+    {"LEFTARROW", "+left"},
+    {"RIGHTARROW", "+right"},
+    {"SPACE", "+jump"},
+    {"CTRL", "+attack"},
+    {"SHIFT", "+speed"},
+    {"ALT", "+strafe"},
+    {"e", "+moveup"},
+    {"c", "+movedown"},
+    {"PGUP", "+lookup"},
+    {"PGDN", "+lookdown"},
+    {"END", "centerview"},
+    {"z", "+zoom"},
+    {"MOUSE1", "+attack"},
+    {"MOUSE2", "+jump"},
+    {"MOUSE3", "+zoom"},
+    {"MWHEELUP", "impulse 10"},
+    {"MWHEELDOWN", "impulse 12"},
+    {"1", "impulse 1"},
+    {"2", "impulse 2"},
+    {"3", "impulse 3"},
+    {"4", "impulse 4"},
+    {"5", "impulse 5"},
+    {"6", "impulse 6"},
+    {"7", "impulse 7"},
+    {"8", "impulse 8"},
+    {"0", "impulse 0"},
+    {"/", "impulse 10"},
+    {"q", "impulse 10"},
+    {"TAB", "+showscores"},
+    {"t", "messagemode"},
+    {"y", "messagemode2"},
+    {"PAUSE", "pause"},
+    {"`", "toggleconsole"},
+    {"~", "toggleconsole"},
+    {"F1", "help_menu"},
+    {"F2", "menu_save"},
+    {"F3", "menu_load"},
+    {"F4", "menu_options"},
+    {"F5", "menu_multiplayer"},
+    {"F6", "save quick"},
+    {"F9", "load quick"},
+    {"F10", "menu_quit"},
+    {"F12", "screenshot"},
+    {"-", "sizedown"},
+    {"=", "sizeup"},
+    {"RTRIGGER", "+attack"},
+    {"LTRIGGER", "+jump"},
+    {"ABUTTON", "+jump"},
+    {"BBUTTON", "+movedown"},
+    {"XBUTTON", "+moveup"},
+    {"LSHOULDER", "impulse 12"},
+    {"RSHOULDER", "impulse 10"},
+    {"LTHUMB", "+speed"},
+    {"RTHUMB", "centerview"},
+    {"BACK", "+showscores"},
+    {"YBUTTON", "+zoom"},
+};
+
+std::size_t index_of(Key key) {
+  return static_cast<std::size_t>(key);
+}
+
+// "+a; echo b; +c" -> "-a;-c", each with the key's number behind it, as the '+' commands got.
+std::string ending_of(std::string_view commands, Key key) {
+  std::string ending;
+  while (!commands.empty()) {
+    const std::size_t length = command::command_length(commands);
+    const std::vector<std::string> words = command::split_words(commands.substr(0, length));
+    if (!words.empty() && words[0].starts_with('+'))
+      ending += fmt::format("-{} {}\n", words[0].substr(1), index_of(key));
+    commands.remove_prefix(std::min(length + 1, commands.size()));
+  }
+  return ending;
+}
+
+// Actions are told which key holds them, so that one that two keys hold goes on until both are let go.
+std::string beginning_of(std::string_view commands, Key key) {
+  std::string beginning;
+  while (!commands.empty()) {
+    const std::size_t length = command::command_length(commands);
+    const std::string_view command = commands.substr(0, length);
+    const std::vector<std::string> words = command::split_words(command);
+    if (!words.empty() && words[0].starts_with('+'))
+      beginning += fmt::format("{} {}\n", words[0], index_of(key));
+    else
+      beginning += fmt::format("{}\n", command);
+    commands.remove_prefix(std::min(length + 1, commands.size()));
+  }
+  return beginning;
+}
+
+}  // namespace
+
+void Bindings::add_defaults() {
+  for (const auto& [name, commands] : kDefaults) {
+    const std::optional<Key> key = find_key(name);
+    CHECK(key.has_value(), "{}", name);
+    bind(*key, commands);
+  }
+}
+
+void Bindings::bind(Key key, std::string_view commands) {
+  commands_[index_of(key)] = commands;
+}
+
+void Bindings::unbind_all() {
+  for (std::string& commands : commands_) commands.clear();
+}
+
+const std::string& Bindings::commands(Key key) const {
+  return commands_[index_of(key)];
+}
+
+std::vector<Key> Bindings::keys_of(std::string_view commands) const {
+  std::vector<Key> keys;
+  for (std::size_t i = 0; i < commands_.size(); ++i)
+    if (!commands_[i].empty() && base::equal_ignoring_case(commands_[i], commands))
+      keys.push_back(Key{static_cast<std::uint16_t>(i)});
+  return keys;
+}
+
+std::string Bindings::to_text() const {
+  std::string text = "unbindall\n";
+  for (std::size_t i = 0; i < commands_.size(); ++i)
+    if (!commands_[i].empty())
+      text +=
+          command::join_words({"bind", key_name(Key{static_cast<std::uint16_t>(i)}), commands_[i]}) + "\n";
+  return text;
+}
+
+void add_binding_commands(command::Console& io_console, Bindings& io_bindings,
+                          command::Console::Output print) {
+  using Arguments = command::Console::Arguments;
+  const auto key_of = [&io_console](const std::string& name) {
+    const std::optional<Key> key = find_key(name);
+    if (!key) io_console.print_error(fmt::format("there is no key \"{}\"", base::quotable(name)));
+    return key;
+  };
+  io_console.add_command(
+      "bind", "bind KEY \"COMMANDS\" has a key run them; bind KEY says what it runs.",
+      [&io_console, &io_bindings, print, key_of](Arguments arguments) {
+        if (arguments.size() < 2)
+          return io_console.print_error("bind KEY \"COMMANDS\": name a key (w, SPACE, MOUSE1, ...)");
+        const std::optional<Key> key = key_of(arguments[1]);
+        if (!key) return;
+        if (arguments.size() == 2) {
+          const std::string& commands = io_bindings.commands(*key);
+          return print(commands.empty() ? fmt::format("\"{}\" does nothing", arguments[1])
+                                        : fmt::format("\"{}\" = \"{}\"", arguments[1], commands));
+        }
+        std::string commands = arguments[2];
+        for (const std::string& word : arguments.subspan(3)) commands += fmt::format(" {}", word);
+        io_bindings.bind(*key, commands);
+      });
+  io_console.add_command("unbind", "unbind KEY takes from a key what it runs.",
+                         [&io_console, &io_bindings, key_of](Arguments arguments) {
+                           if (arguments.size() < 2) return io_console.print_error("unbind KEY: name a key");
+                           if (const std::optional<Key> key = key_of(arguments[1]))
+                             io_bindings.bind(*key, "");
+                         });
+  io_console.add_command("unbindall", "unbindall takes from all keys what they run.",
+                         [&io_bindings](Arguments) { io_bindings.unbind_all(); });
+  io_console.add_command("bindlist", "bindlist says what each key runs.", [&io_bindings, print](Arguments) {
+    for (std::size_t i = 0; i < platform::kKeys; ++i) {
+      const Key key{static_cast<std::uint16_t>(i)};
+      if (!io_bindings.commands(key).empty())
+        print(fmt::format("{} \"{}\"", key_name(key), io_bindings.commands(key)));
+    }
+  });
+}
+
+std::string HeldKeys::press(Key key, std::string_view commands) {
+  const std::size_t index = index_of(key);
+  if (std::exchange(held_[index], true)) return {};
+  ending_[index] = ending_of(commands, key);
+  return beginning_of(commands, key);
+}
+
+std::string HeldKeys::release(Key key) {
+  held_[index_of(key)] = false;
+  return std::exchange(ending_[index_of(key)], {});
+}
+
+std::string HeldKeys::release_all() {
+  std::string ending;
+  for (std::size_t i = 0; i < held_.size(); ++i) ending += release(Key{static_cast<std::uint16_t>(i)});
+  return ending;
+}
+
+}  // namespace temblor::client

@@ -1,0 +1,310 @@
+// What each server message does to a ClientState.
+#include <algorithm>
+#include <limits>
+
+#include "client/session/client_state.h"
+
+namespace temblor::client {
+
+namespace {
+
+// As long as any console's line; and more than levels have.
+constexpr std::size_t kMaxCommandChars = 8192, kMaxStatics = 8192;
+
+base::Status too_early(const char* what) {
+  return base::malformed("{} before a serverinfo: there is no level yet", what);
+}
+
+base::Status check_entity(const char* what, int number) {
+  if (number < net::kMaxEntities) return base::Ok{};
+  return base::malformed("{} of entity {}, expected 0 to {}", what, number, net::kMaxEntities - 1);
+}
+
+// The stats that every clientdata carries.
+void mirror(const net::ClientData& data, std::array<std::int32_t, net::kStats>& io_stats) {
+  const auto set = [&](Stat stat, std::int32_t value) { io_stats[static_cast<std::size_t>(stat)] = value; };
+  set(Stat::kHealth, data.health);
+  set(Stat::kWeaponModel, data.weapon_model);
+  set(Stat::kAmmo, data.ammo);
+  set(Stat::kArmor, data.armor);
+  set(Stat::kWeaponFrame, data.weapon_frame);
+  set(Stat::kShells, data.shells);
+  set(Stat::kNails, data.nails);
+  set(Stat::kRockets, data.rockets);
+  set(Stat::kCells, data.cells);
+  set(Stat::kActiveWeapon, data.active_weapon);
+}
+
+std::vector<std::string> precache_list(std::span<const std::string_view> names) {
+  std::vector<std::string> list = {""};
+  list.insert(list.end(), names.begin(), names.end());
+  return list;
+}
+
+}  // namespace
+
+struct ClientState::Apply {
+  ClientState& state;
+  Game& game = state.game_;
+  Events& events = state.events_;
+
+  double now_s() const { return state.window_.end_s; }
+  bool has_level() const { return game.models.size() > 1; }
+
+  // What the client has nothing to do about.
+  base::Status operator()(const net::Nop&) { return base::Ok{}; }
+  base::Status operator()(const net::Disconnect&) { return base::Ok{}; }
+  base::Status operator()(const net::Version&) { return base::Ok{}; }
+  base::Status operator()(const net::Ignored&) { return base::Ok{}; }
+
+  // The course of the game.
+
+  base::Status operator()(const net::ServerInfo& info) {
+    if (info.models.empty()) return base::malformed("serverinfo names no level: its list of models is empty");
+    if (info.max_clients == 0) return base::malformed("serverinfo for 0 players, expected at least 1");
+    game = {};
+    game.dialect = info.dialect;
+    game.deathmatch = info.game_type != 0;
+    game.level_name = info.level_name;
+    game.models = precache_list(info.models);
+    game.sounds = precache_list(info.sounds);
+    game.players.resize(info.max_clients);
+    state.previous_time_s_ = 0;
+    state.window_ = {};
+    state.has_time_ = false;
+    state.entities_.begin_level();
+    state.weapon_.show(0);
+    drop_events_of_old_level();
+    return base::Ok{};
+  }
+
+  // Texts are for the player, wherever he is.
+  void drop_events_of_old_level() {
+    events.temp_entities.clear();
+    events.particles.clear();
+    events.damages.clear();
+    events.sounds.clear();
+    events.stopped_sounds.clear();
+    events.static_sounds.clear();
+    events.bonus_flashes = 0;
+    events.new_level = true;
+  }
+
+  base::Status operator()(const net::SignonNumber& signon) {
+    if (signon.number > kPlaying)
+      return base::malformed("signon {}, expected 1 to {}", signon.number, kPlaying);
+    game.signon = signon.number;
+    return base::Ok{};
+  }
+
+  base::Status operator()(const net::Time& time) {
+    if (!(time.time_s >= 0 && time.time_s <= kMaxServerTime_s))
+      return base::malformed("{} s, expected 0 to {}", time.time_s, kMaxServerTime_s);
+    const double time_s = static_cast<double>(time.time_s);
+    state.previous_time_s_ = state.has_time_ ? now_s() : time_s;
+    state.window_ = packet_window(state.previous_time_s_, time_s);
+    state.has_time_ = true;
+    state.entities_.begin_packet();
+    return base::Ok{};
+  }
+
+  base::Status operator()(const net::SetPause& pause) {
+    game.paused = pause.paused;
+    return base::Ok{};
+  }
+
+  base::Status end_play(Ending ending, std::string_view text) {
+    game.ending = ending;
+    game.ending_since_s = now_s();
+    game.ending_text = text;
+    return base::Ok{};
+  }
+  base::Status operator()(const net::Intermission&) { return end_play(Ending::kIntermission, ""); }
+  base::Status operator()(const net::Finale& finale) { return end_play(Ending::kFinale, finale.text); }
+  base::Status operator()(const net::CutScene& scene) { return end_play(Ending::kCutScene, scene.text); }
+
+  base::Status operator()(const net::CdTrack& track) {
+    game.music_track = track.track;
+    return base::Ok{};
+  }
+
+  // Texts.
+
+  base::Status operator()(const net::Print& print) {
+    events.prints.emplace_back(print.text);
+    return base::Ok{};
+  }
+
+  base::Status operator()(const net::CenterPrint& print) {
+    game.center_text = print.text;
+    game.center_text_since_s = now_s();
+    return base::Ok{};
+  }
+
+  // A line may come in pieces, and a piece may hold several lines.
+  base::Status operator()(const net::StuffText& stuffed) {
+    for (const char c : stuffed.text) {
+      if (c != '\n') {
+        // A line that is longer than any console takes is cut.
+        if (state.command_line_.size() < kMaxCommandChars) state.command_line_ += c;
+        continue;
+      }
+      if (state.command_line_ == "bf")
+        ++events.bonus_flashes;
+      else if (!state.command_line_.starts_with("//"))
+        events.commands.push_back(state.command_line_);
+      state.command_line_.clear();
+    }
+    return base::Ok{};
+  }
+
+  // The original's demonstration copy opened its help pages.
+  base::Status operator()(const net::SellScreen&) {
+    events.commands.emplace_back("help");
+    return base::Ok{};
+  }
+
+  // The player.
+
+  base::Status operator()(const net::ClientData& data) {
+    if (!has_level()) return too_early("clientdata");
+    if (data.weapon_model == game.data.weapon_model)
+      state.weapon_.update(data.weapon_frame, state.window_.begin_s, kThinkInterval_s);
+    else
+      state.weapon_.show(data.weapon_frame);
+    game.data = data;
+    mirror(data, game.stats);
+    return base::Ok{};
+  }
+
+  base::Status operator()(const net::UpdateStat& update) {
+    if (update.stat >= net::kStats)
+      return base::malformed("stat {}, expected 0 to {}", update.stat, net::kStats - 1);
+    game.stats[update.stat] = update.value;
+    return base::Ok{};
+  }
+  base::Status count(Stat stat) {
+    std::int32_t& value = game.stats[static_cast<std::size_t>(stat)];
+    if (value < std::numeric_limits<std::int32_t>::max()) ++value;
+    return base::Ok{};
+  }
+  base::Status operator()(const net::KilledMonster&) { return count(Stat::kMonsters); }
+  base::Status operator()(const net::FoundSecret&) { return count(Stat::kSecrets); }
+
+  base::Status operator()(const net::SetView& view) {
+    TRY_STATUS(check_entity("setview", view.entity));
+    game.view_entity = view.entity;
+    return base::Ok{};
+  }
+  base::Status operator()(const net::SetAngle& angle) {
+    game.set_angles_deg = angle.angles_deg;
+    ++game.turns;
+    return base::Ok{};
+  }
+  base::Status operator()(const net::Damage& damage) {
+    events.damages.push_back(damage);
+    return base::Ok{};
+  }
+  base::Status operator()(const net::BonusFlash&) {
+    ++events.bonus_flashes;
+    return base::Ok{};
+  }
+
+  // All players.
+
+  base::Status check_player(const char* what, std::size_t slot) const {
+    if (slot < game.players.size()) return base::Ok{};
+    return base::malformed("{} of player slot {}, but the server has {}", what, slot, game.players.size());
+  }
+  base::Status operator()(const net::UpdateName& update) {
+    TRY_STATUS(check_player("name", update.client));
+    game.players[update.client].name = update.name;
+    return base::Ok{};
+  }
+  base::Status operator()(const net::UpdateFrags& update) {
+    TRY_STATUS(check_player("frags", update.client));
+    game.players[update.client].frags = update.frags;
+    return base::Ok{};
+  }
+  base::Status operator()(const net::UpdateColors& update) {
+    TRY_STATUS(check_player("colors", update.client));
+    game.players[update.client].shirt = static_cast<std::uint8_t>(update.colors >> 4);
+    game.players[update.client].pants = update.colors & 15;
+    return base::Ok{};
+  }
+
+  // Entities.
+
+  base::Status operator()(const net::SpawnBaseline& baseline) {
+    if (!has_level()) return too_early("a baseline");
+    TRY_STATUS(check_entity("baseline", baseline.number));
+    state.entities_.set_baseline(baseline.number, baseline.entity);
+    return base::Ok{};
+  }
+  base::Status operator()(const net::SpawnStatic& spawned) {
+    if (!has_level()) return too_early("a static entity");
+    if (state.entities_.static_count() >= kMaxStatics)
+      return base::error(base::ErrorCode::kTooLarge, "more than {} static entities", kMaxStatics);
+    state.entities_.add_static(spawned.entity);
+    return base::Ok{};
+  }
+  base::Status operator()(const net::EntityUpdate& update) {
+    if (!has_level()) return too_early("an entity update");
+    TRY_STATUS(check_entity("update", update.number));
+    // No message says that the last stage of the signon is reached: the first update does.
+    if (game.signon == kPlaying - 1) game.signon = kPlaying;
+    state.entities_.update(update, state.window_);
+    // The player's own model flashes when his weapon does.
+    const bool flashes = (update.effects.value_or(std::uint8_t{0}) & kEffectMuzzleFlash) != 0;
+    if (flashes && update.number == game.view_entity) state.weapon_.flash();
+    return base::Ok{};
+  }
+
+  // The level.
+
+  base::Status operator()(const net::LightStyle& style) {
+    if (style.style >= world::kLightStyles)
+      return base::malformed("light style {}, expected 0 to {}", style.style, world::kLightStyles - 1);
+    game.light_styles[style.style] = style.pattern;
+    return base::Ok{};
+  }
+  base::Status operator()(const net::Skybox& skybox) {
+    game.skybox = skybox.name;
+    return base::Ok{};
+  }
+  base::Status operator()(const net::Fog& fog) {
+    game.fog_before = fog_mixture_at(game, now_s());
+    game.fog = fog;
+    game.fog_since_s = now_s();
+    return base::Ok{};
+  }
+
+  // What happens once.
+
+  base::Status operator()(const net::TempEntity& entity) {
+    events.temp_entities.push_back(entity);
+    return base::Ok{};
+  }
+  base::Status operator()(const net::Particles& particles) {
+    events.particles.push_back(particles);
+    return base::Ok{};
+  }
+  base::Status operator()(const net::Sound& sound) {
+    events.sounds.push_back(sound);
+    return base::Ok{};
+  }
+  base::Status operator()(const net::StopSound& sound) {
+    events.stopped_sounds.push_back(sound);
+    return base::Ok{};
+  }
+  base::Status operator()(const net::SpawnStaticSound& sound) {
+    if (events.static_sounds.size() < kMaxStatics) events.static_sounds.push_back(sound);
+    return base::Ok{};
+  }
+};
+
+base::Status ClientState::apply(const net::ServerMessage& message) {
+  return std::visit(Apply{*this}, message);
+}
+
+}  // namespace temblor::client

@@ -1,0 +1,145 @@
+#include "client/view/audio_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/hash.h"
+#include "client/effects/effect_random.h"
+#include "math/angles.h"
+
+namespace temblor::client {
+namespace {
+
+using net::TempEntityKind;
+
+constexpr const char* kAmbientWater = "ambience/water1.wav";
+constexpr const char* kAmbientSky = "ambience/wind2.wav";
+constexpr const char* kExplosion = "weapons/r_exp3.wav";
+
+// A nail on stone; now and then it glances off.
+const char* nail_sound(std::uint32_t hit_number) {
+  EffectRandom random(base::hash_with(hit_number, 0));
+  if (random.below(5) != 0) return "weapons/tink1.wav";
+  switch (random.below(4)) {
+    case 1:
+      return "weapons/ric1.wav";
+    case 2:
+      return "weapons/ric2.wav";
+    default:
+      return "weapons/ric3.wav";
+  }
+}
+
+// Null: it makes no sound.
+const char* sound_of(TempEntityKind kind, std::uint32_t hit_number) {
+  switch (kind) {
+    case TempEntityKind::kSpike:
+    case TempEntityKind::kSuperSpike:
+      return nail_sound(hit_number);
+    case TempEntityKind::kWizSpike:
+      return "wizard/hit.wav";
+    case TempEntityKind::kKnightSpike:
+      return "hknight/hit.wav";
+    case TempEntityKind::kExplosion:
+    case TempEntityKind::kTarExplosion:
+    case TempEntityKind::kExplosion2:
+      return kExplosion;
+    default:
+      return nullptr;
+  }
+}
+
+float volume_of(std::uint8_t volume) {
+  return static_cast<float>(volume) / 255;
+}
+
+}  // namespace
+
+void AudioScene::begin_ambients() {
+  events_.new_ambients = true;
+  events_.ambients = {sounds_.looped_sound(kAmbientWater), sounds_.looped_sound(kAmbientSky), nullptr,
+                      nullptr};
+}
+
+void AudioScene::begin_level(const Game& game) {
+  sounds_.begin_level(game.sounds);
+  noted_statics_.clear();
+  // What an earlier level still had to say is said no more.
+  events_.clear();
+  events_.begins_anew = true;
+  begin_ambients();
+}
+
+void AudioScene::resume(std::span<const net::SpawnStaticSound> static_sounds) {
+  const bool had_new_ambients = events_.new_ambients;
+  events_.clear();
+  events_.begins_anew = true;
+  if (had_new_ambients) begin_ambients();
+  for (const net::SpawnStaticSound& what : static_sounds) hear(what);
+}
+
+void AudioScene::end_level() {
+  resume({});
+  scene_.ambient_levels = {};
+  scene_.listener.underwater = false;
+}
+
+void AudioScene::hear(const net::TempEntity& what) {
+  if (const char* name = sound_of(what.kind, ++hit_count_); name != nullptr)
+    events_.started.push_back({.sound = sounds_.sound(std::string(name)), .origin_world = what.origin});
+}
+
+// As in the original, only what loops can stay.
+void AudioScene::hear(const net::SpawnStaticSound& what) {
+  const audio::SoundPtr sound = sounds_.sound(what.sound);
+  if (sound == nullptr) return;
+  if (!sound->loop) {
+    if (std::find(noted_statics_.begin(), noted_statics_.end(), what.sound) != noted_statics_.end()) return;
+    noted_statics_.push_back(what.sound);
+    notes_.push_back(
+        fmt::format("sound/{}: has no loop, so it cannot sound from one place all the time; it "
+                    "stays silent there",
+                    sound->name));
+    return;
+  }
+  events_.statics.push_back({sound, what.origin, volume_of(what.volume), what.attenuation});
+}
+
+void AudioScene::advance(const Game& game, const Events& events, const world::Level& level,
+                         const PlayerView& view, const audio::Volumes& volumes) {
+  scene_.listener.origin_world = view.camera.origin_world;
+  scene_.listener.right = math::Vec3(math::basis_from_angles(view.camera.angles_deg).right);
+  scene_.listener.entity = game.view_entity;
+  scene_.listener.underwater = view.underwater;
+  scene_.ambient_levels = level.leaf(view.leaf).ambient;
+  scene_.volumes = volumes;
+  for (const net::SpawnStaticSound& what : events.static_sounds) hear(what);
+  for (const net::Sound& what : events.sounds)
+    events_.started.push_back({.sound = sounds_.sound(what.sound),
+                               .entity = what.entity,
+                               .channel = what.channel,
+                               .origin_world = what.origin,
+                               .volume = volume_of(what.volume),
+                               .attenuation = what.attenuation});
+  for (const net::TempEntity& what : events.temp_entities) hear(what);
+  for (const net::StopSound& what : events.stopped_sounds)
+    events_.stopped.push_back({what.entity, what.channel});
+}
+
+void AudioScene::play_local(const std::string& name) {
+  // The original's cut off a sound of the player's own; these do not.
+  events_.started.push_back({.sound = sounds_.sound(name),
+                             .entity = scene_.listener.entity,
+                             .origin_world = scene_.listener.origin_world});
+}
+
+std::vector<std::string> AudioScene::take_notes() {
+  std::vector<std::string> notes = sounds_.take_notes();
+  for (std::string& note : notes_) notes.push_back(std::move(note));
+  notes_.clear();
+  return notes;
+}
+
+}  // namespace temblor::client

@@ -1,0 +1,25 @@
+// The client's choices as console variables: what is seen of a game, and how.
+#pragma once
+
+#include "client/view/presentation.h"
+#include "command/variables.h"
+
+namespace temblor::client {
+
+class ClientVariables {
+ public:
+  // Registers the variables, each with its help; the defaults are those of PresentationSettings.
+  explicit ClientVariables(command::Variables& variables);
+
+  // What the variables say now. `variables` is the table they were registered in.
+  PresentationSettings read(const command::Variables& variables) const;
+
+ private:
+  command::VariableIndex predict_, no_lerp_, no_lerp_models_, max_particles_, marks_, bob_, roll_, kick_,
+      damage_tint_, bonus_tint_, powerup_tint_, contents_tint_, view_size_, hud_scale_, hud_opacity_,
+      show_weapon_, water_alpha_, slime_alpha_, lava_alpha_, teleport_alpha_, fog_, skybox_, subtitles_,
+      crosshair_, crosshair_color_, safe_colors_, sound_volume_, ambient_level_, music_volume_,
+      muffled_underwater_;
+};
+
+}  // namespace temblor::client

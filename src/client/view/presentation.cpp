@@ -1,0 +1,138 @@
+#include "client/view/presentation.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace temblor::client {
+
+Presentation::Presentation(const assets::Library& library)
+    : library_(library), pictures_(library.pictures(notes_)), hud_(pictures_), audio_scene_(library) {}
+
+base::Status Presentation::begin_level(const Game& game, const PresentationSettings& settings) {
+  scene_ = {};
+  models_.reset();
+  TRY(ModelTable models, ModelTable::load(library_, game.models, notes_));
+  models_.emplace(std::move(models));
+  model_names_ = game.models;
+  client_settings_.no_lerp_models.clear();
+  for (const std::string& name : game.models)
+    client_settings_.no_lerp_models.push_back(std::find(settings.no_lerp_models.begin(),
+                                                        settings.no_lerp_models.end(),
+                                                        name) != settings.no_lerp_models.end());
+  environment_ = environment_of(*models_->level());
+  scene_builder_.begin_level();
+  forget_past();
+  begin_sound(game, settings);
+  return base::Ok{};
+}
+
+void Presentation::forget_past() {
+  scene_ = {};
+  hud_.begin_level();
+  subtitles_.begin_level();
+  effects_.begin_level();
+  view_.begin_level();
+}
+
+base::Status Presentation::resume(ClientState& io_state, const EffectCounts& before,
+                                  const PresentationSettings& settings) {
+  if (!models_ || model_names_ != io_state.game().models)
+    TRY_STATUS(begin_level(io_state.game(), settings));
+  else
+    forget_past();
+  effects_.resume(before);
+  io_state.events().new_level = false;
+  return base::Ok{};
+}
+
+void Presentation::begin_sound(const Game& game, const PresentationSettings& settings) {
+  has_sound_ = settings.sound;
+  if (has_sound_) audio_scene_.begin_level(game);
+}
+
+void Presentation::apply_environment(const Game& game, double time_s, const PresentationSettings& settings) {
+  scene_.liquid_alpha = environment_.liquid_alpha(settings.liquid_alpha);
+  if (settings.fog) {
+    const net::Fog fog = fog_at(game, {environment_.fog.density, environment_.fog.color, 0}, time_s);
+    scene_.fog = {fog.density, fog.color};
+  }
+  const std::string& skybox = game.skybox ? *game.skybox : environment_.skybox;
+  if (skybox != skybox_name_) {
+    skybox_name_ = skybox;
+    skybox_ = {};
+    if (!skybox.empty()) skybox_.sides = library_.skybox(skybox, notes_);
+  }
+  scene_.skybox = settings.skybox && !skybox_name_.empty() ? &skybox_ : nullptr;
+}
+
+// Lets time pass up to that moment.
+Presentation::Sight Presentation::look(ClientState& io_state, double time_s,
+                                       const math::Vec3& view_angles_deg,
+                                       const PresentationSettings& settings) {
+  const Game& game = io_state.game();
+  client_settings_.interpolate = settings.interpolate;
+  const std::span<const SeenEntity> entities = io_state.entities_at(time_s, client_settings_);
+  const world::Level& level = *models_->level();
+  ViewMoment moment{time_s, view_angles_deg, find_entity(entities, game.view_entity), level};
+  if (prediction_ && settings.predict) moment.own = prediction_->advance(io_state, level, entities);
+  std::optional<math::Vec3> own_origin_world;
+  if (moment.own) own_origin_world = moment.own->origin_world;
+  effects_.advance(io_state.events(),
+                   {level, time_s, entities, models_->flags(), game.view_entity, own_origin_world},
+                   settings.effects);
+  PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
+  if (settings.camera) view = view_from(*settings.camera, level, settings.view);
+  hud_.advance(game, io_state.events(), time_s);
+  if (settings.subtitles) subtitles_.advance(game, io_state.events(), view.camera, time_s);
+  if (has_sound_) audio_scene_.advance(game, io_state.events(), level, view, settings.volumes);
+  time_s_ = time_s;
+  io_state.events().clear();
+  return {entities, view};
+}
+
+void Presentation::make_scene(const ClientState& state, double time_s, const Sight& sight,
+                              const PresentationSettings& settings) {
+  const Game& game = state.game();
+  const bool is_first_scene = scene_.level == nullptr;
+  lights_before_.swap(lights_);
+  light_before_ = {lights_before_, scene_.light_styles};
+  scene_ = scene_builder_.build(
+      {*models_, game, sight.entities, effects_, sight.view, state.weapon_frame_at(time_s, client_settings_),
+       time_s, settings.show_weapon && game.ending == Ending::kNone, settings.camera.has_value()},
+      notes_);
+  lights_.assign(scene_.lights.begin(), scene_.lights.end());
+  scene_.frame_number = ++frame_number_;
+  scene_.light_before = is_first_scene ? nullptr : &light_before_;
+  apply_environment(game, time_s, settings);
+}
+
+base::Status Presentation::advance(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
+                                   const PresentationSettings& settings) {
+  if (io_state.events().new_level) TRY_STATUS(begin_level(io_state.game(), settings));
+  if (!models_) return base::Ok{};
+  make_scene(io_state, time_s, look(io_state, time_s, view_angles_deg, settings), settings);
+  return base::Ok{};
+}
+
+base::Status Presentation::pass(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
+                                const PresentationSettings& settings) {
+  if (io_state.events().new_level) TRY_STATUS(begin_level(io_state.game(), settings));
+  if (models_) look(io_state, time_s, view_angles_deg, settings);
+  return base::Ok{};
+}
+
+std::vector<std::string> Presentation::take_notes() {
+  std::vector<std::string> of_sound = audio_scene_.take_notes();
+  std::move(of_sound.begin(), of_sound.end(), std::back_inserter(notes_));
+  return std::exchange(notes_, {});
+}
+
+const render::DrawList& Presentation::draw_list(const ClientState& state, int width, int height,
+                                                const PresentationSettings& settings) {
+  draw_list_.clear();
+  hud_.draw(state.game(), time_s_, width, height, settings.hud, draw_list_);
+  if (settings.subtitles) subtitles_.draw(pictures_, width, height, settings.hud.scale, draw_list_);
+  return draw_list_;
+}
+
+}  // namespace temblor::client

@@ -1,0 +1,137 @@
+#include "client/view/scene_builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "formats/models/group_time.h"
+
+namespace temblor::client {
+namespace {
+
+constexpr float kWeaponLeastLight = 24;
+
+// Groups of frames that ask for it start at a moment of their own for each entity, so that a row of torches
+// does not flicker as one.
+double phase_time_s(double time_s, std::uint32_t entity, bool random_phase) {
+  constexpr double kPhaseStep_s = 0.618034;  // the golden ratio: no two neighbors alike
+  return random_phase ? time_s + kPhaseStep_s * entity : time_s;
+}
+
+}  // namespace
+
+void SceneBuilder::add_alias(const SceneInput& input, const SeenEntity& entity,
+                             const render::AliasModel& model) {
+  const double time_s = phase_time_s(input.time_s, entity.number, render::random_phase_of(model));
+  render::AliasInstance instance;
+  instance.model = &model;
+  instance.origin_world = entity.origin_world;
+  instance.angles_deg = entity.angles_deg;
+  if ((render::flags_of(model) & formats::kMdlRotate) != 0)
+    instance.angles_deg.y = rotated_yaw_deg(input.time_s);
+  instance.scale = entity.scale;
+  instance.from_pose = render::pose_at(model, entity.from_frame, time_s);
+  instance.to_pose = render::pose_at(model, entity.to_frame, time_s);
+  instance.blend = entity.blend;
+  instance.skin = render::skin_at(model, entity.skin, time_s);
+  instance.alpha = entity.alpha;
+  // Colormap n is that of player n; 0: as the skin is.
+  if (entity.colormap > 0 && entity.colormap <= input.game.players.size()) {
+    const Player& player = input.game.players[entity.colormap - 1u];
+    instance.colors = render::PlayerColors{player.shirt, player.pants};
+  }
+  alias_models_.push_back(instance);
+}
+
+void SceneBuilder::add_sprite(const SceneInput& input, const SeenEntity& entity, const formats::Spr& sprite) {
+  const std::size_t number = entity.to_frame < sprite.frames.size() ? entity.to_frame : 0;
+  const formats::SprFrame& frame = sprite.frames[number];
+  const double time_s = phase_time_s(input.time_s, entity.number, sprite.random_phase);
+  render::SpriteInstance instance;
+  instance.sprite = &sprite;
+  instance.picture = &frame.pictures[formats::group_member_at(frame.end_times_s, time_s)];
+  instance.origin_world = entity.origin_world;
+  instance.angles_deg = entity.angles_deg;
+  instance.scale = entity.scale;
+  instance.alpha = entity.alpha;
+  sprites_.push_back(instance);
+}
+
+void SceneBuilder::add_entity(const SceneInput& input, const SeenEntity& entity,
+                              std::vector<std::string>& io_notes) {
+  const bool is_player = entity.number == input.game.view_entity;
+  if (entity.model == 0 || entity.alpha <= 0 || (is_player && !input.show_player)) return;
+  if (!input.models.has(entity.model) &&
+      std::find(noted_.begin(), noted_.end(), entity.model) == noted_.end()) {
+    noted_.push_back(entity.model);
+    io_notes.push_back(fmt::format("entity {} has model {}, which the server never named; drawn as a cube",
+                                   entity.number, entity.model));
+  }
+  const ClientModel& model = input.models.model(entity.model);
+  if (const auto* brush_model = std::get_if<world::ModelIndex>(&model)) {
+    // The world itself is drawn anyway.
+    if (*brush_model == world::ModelIndex{0}) return;
+    brush_models_.push_back(
+        {*brush_model, entity.origin_world, entity.angles_deg, entity.to_frame, entity.alpha});
+  } else if (const auto* alias = std::get_if<AliasModelPtr>(&model)) {
+    add_alias(input, entity, **alias);
+  } else {
+    add_sprite(input, entity, *std::get<SpritePtr>(model));
+  }
+}
+
+void SceneBuilder::add_beams(const SceneInput& input) {
+  for (const BeamPiece& piece : input.effects.beams()) {
+    const AliasModelPtr& model = input.models.beam(piece.model);
+    if (model == nullptr) continue;
+    render::AliasInstance instance;
+    instance.model = model.get();
+    instance.origin_world = piece.origin_world;
+    instance.angles_deg = piece.angles_deg;
+    instance.full_bright = true;
+    alias_models_.push_back(instance);
+  }
+}
+
+bool SceneBuilder::place_weapon(const SceneInput& input) {
+  const auto number = static_cast<std::size_t>(std::max(0, input.game.stat(Stat::kWeaponModel)));
+  if (!input.show_weapon || !input.view.show_weapon || number == 0) return false;
+  const auto* model = std::get_if<AliasModelPtr>(&input.models.model(number));
+  if (model == nullptr || !input.models.has(number)) return false;
+  weapon_ = {};
+  weapon_.model = model->get();
+  weapon_.origin_world = input.view.weapon_origin_world;
+  weapon_.angles_deg = input.view.weapon_angles_deg;
+  weapon_.from_pose = render::pose_at(**model, input.weapon_frame.from, input.time_s);
+  weapon_.to_pose = render::pose_at(**model, input.weapon_frame.to, input.time_s);
+  weapon_.blend = input.weapon_frame.blend;
+  weapon_.alpha = input.game.data.weapon_alpha;
+  weapon_.min_light = kWeaponLeastLight;
+  return true;
+}
+
+render::Scene SceneBuilder::build(const SceneInput& input, std::vector<std::string>& io_notes) {
+  brush_models_.clear();
+  alias_models_.clear();
+  sprites_.clear();
+  for (const SeenEntity& entity : input.entities) add_entity(input, entity, io_notes);
+  add_beams(input);
+
+  render::Scene scene;
+  scene.level = input.models.level().get();
+  scene.camera = input.view.camera;
+  scene.brush_models = brush_models_;
+  scene.alias_models = alias_models_;
+  scene.view_weapon = place_weapon(input) ? &weapon_ : nullptr;
+  scene.sprites = sprites_;
+  scene.particles = input.effects.particles();
+  scene.lights = input.effects.lights();
+  scene.marks = &input.effects.marks();
+  scene.underwater = input.view.underwater;
+  scene.tint = input.view.tint;
+  scene.time_s = input.time_s;
+  scene.light_styles = world::light_style_values(input.game.light_styles, input.time_s);
+  return scene;
+}
+
+}  // namespace temblor::client

@@ -1,0 +1,86 @@
+#include "compiler/bsp/faces/vertices.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace temblor::compiler {
+namespace {
+
+struct OnSide {
+  double along;
+  std::uint32_t vertex;
+};
+
+// What lies between two vertices, in order from the first.
+void find_between(std::uint32_t from, std::uint32_t to, const VertexSet& vertices, std::vector<OnSide>& out) {
+  out.clear();
+  const math::Vec3d begin = vertices.points()[from], side = vertices.points()[to] - begin;
+  const double length = glm::length(side);
+  if (length < VertexSet::kSamePlace) return;
+  const math::Vec3d direction = side / length;
+  // In short pieces: the box of a long slanting side holds far too much.
+  constexpr double kPiece = 64;
+  const int pieces = static_cast<int>(std::ceil(length / kPiece));
+  for (int i = 0; i < pieces; ++i) {
+    Box box;
+    box.add(begin + side * (double{1} * i / pieces));
+    box.add(begin + side * (double{1} * (i + 1) / pieces));
+    vertices.for_each_near(box, [&](std::uint32_t vertex) {
+      const math::Vec3d away = vertices.points()[vertex] - begin;
+      const double along = glm::dot(away, direction);
+      if (along < VertexSet::kSamePlace || along > length - VertexSet::kSamePlace) return;
+      if (glm::length(away - direction * along) < VertexSet::kSamePlace) out.push_back({along, vertex});
+    });
+  }
+  std::sort(out.begin(), out.end(), [](const OnSide& a, const OnSide& b) {
+    return a.along != b.along ? a.along < b.along : a.vertex < b.vertex;
+  });
+}
+
+}  // namespace
+
+VertexSet::Cell VertexSet::cell_of(const math::Vec3d& point) {
+  return {static_cast<std::int64_t>(std::floor(point.x / kCellUnits)),
+          static_cast<std::int64_t>(std::floor(point.y / kCellUnits)),
+          static_cast<std::int64_t>(std::floor(point.z / kCellUnits))};
+}
+
+std::int64_t VertexSet::key_of(const Cell& cell) {
+  constexpr std::int64_t kCells = 1 << 20;  // a side; far more than a level has
+  return (cell.x * kCells + cell.y) * kCells + cell.z;
+}
+
+std::uint32_t VertexSet::find_or_add(const math::Vec3d& point) {
+  Box box;
+  box.add(point);
+  std::uint32_t found = static_cast<std::uint32_t>(points_.size());
+  for_each_near(box, [&](std::uint32_t vertex) {
+    const math::Vec3d apart = glm::abs(points_[vertex] - point);
+    if (std::max({apart.x, apart.y, apart.z}) < kSamePlace) found = std::min(found, vertex);
+  });
+  if (found == points_.size()) {
+    points_.push_back(point);
+    by_cell_.emplace(key_of(cell_of(point)), found);
+  }
+  return found;
+}
+
+void close_t_junctions(std::vector<FaceLoop>& io_loops, const VertexSet& vertices) {
+  FaceLoop closed;
+  std::vector<OnSide> between;
+  for (FaceLoop& loop : io_loops) {
+    closed.clear();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const auto add = [&](std::uint32_t vertex) {
+        if (closed.empty() || closed.back() != vertex) closed.push_back(vertex);
+      };
+      add(loop[i]);
+      find_between(loop[i], loop[(i + 1) % loop.size()], vertices, between);
+      for (const OnSide& on : between) add(on.vertex);
+    }
+    while (closed.size() > 1 && closed.front() == closed.back()) closed.pop_back();
+    loop = closed;
+  }
+}
+
+}  // namespace temblor::compiler

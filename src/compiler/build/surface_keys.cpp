@@ -1,0 +1,77 @@
+#include "compiler/build/surface_keys.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+#include "compiler/light/sources/keys.h"
+
+namespace temblor::compiler {
+namespace {
+
+bool is_part_of_the_world(std::string_view classname) {
+  return classname == "worldspawn" || classname == "func_group" ||
+         (classname.starts_with("func_detail") && classname != "func_detail_illusionary");
+}
+
+std::optional<std::size_t> model_number(const formats::Entity& entity) {
+  const std::string_view name = entity.find("model").value_or("");
+  if (!name.starts_with('*')) return std::nullopt;
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
+  if (error != std::errc{} || end != name.data() + name.size()) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+SurfaceKeys surface_keys_of(const formats::Entity& entity) {
+  constexpr float kPhongDefaultAngleDeg = 89;
+  SurfaceKeys keys;
+  const float phong = number_or(entity, "phong", 0);
+  keys.phong_angle_deg = number_or(entity, "phong_angle", phong > 0 ? kPhongDefaultAngleDeg : 0);
+  keys.phong_angle_concave_deg = number_or(entity, "phong_angle_concave", 0);
+  keys.phong_group =
+      static_cast<std::int32_t>(std::clamp(number_or(entity, "phong_group", 0), -32768.0f, 32767.0f));
+  // worldspawn's is everybody's, and is among the settings of the level.
+  if (entity.classname() != "worldspawn") keys.min_light = number_or(entity, "minlight", 0);
+  if (const auto color = color_of(entity, "minlight_color"))
+    keys.min_light_color = {color->x, color->y, color->z};
+  const bool shadow_unless_said = is_part_of_the_world(entity.classname());
+  keys.casts_shadow = number_or(entity, "shadow", shadow_unless_said ? 1.0f : 0.0f) > 0;
+  if (!keys.casts_shadow) {
+    keys.shadows_own_model_only = number_or(entity, "shadowself", 0) > 0;
+    keys.shadows_world_only = !keys.shadows_own_model_only && number_or(entity, "shadowworldonly", 0) > 0;
+    keys.casts_shadow = keys.shadows_own_model_only || keys.shadows_world_only;
+  }
+  keys.auto_min_light =
+      static_cast<std::int8_t>(std::clamp(number_or(entity, "autominlight", 0), -1.0f, 1.0f));
+  keys.takes_dirt = number_or(entity, "dirt", 0) >= 0;
+  keys.takes_bounce = number_or(entity, "bounce", 0) >= 0;
+  keys.ignores_light = number_or(entity, "lightignore", 0) > 0;
+  keys.lights_liquids = number_or(entity, "litwater", 0) > 0;
+  const float scale = number_or(entity, "lmscale", 1);
+  keys.light_map_scale = scale > 0 ? scale : 1;
+  const float alpha = number_or(entity, "light_alpha", number_or(entity, "alpha", 1));
+  keys.light_alpha = std::clamp(alpha, 0.0f, 1.0f);
+  return keys;
+}
+
+FaceKeys face_keys_of(const formats::Bsp& bsp, std::span<const formats::Entity> entities) {
+  FaceKeys result;
+  result.keys.resize(1);
+  result.of_face.assign(bsp.faces.size(), 0);
+  for (const formats::Entity& entity : entities) {
+    const bool world = entity.classname() == "worldspawn";
+    const std::optional<std::size_t> model = world ? std::optional<std::size_t>(0) : model_number(entity);
+    if (!model || *model >= bsp.models.size()) continue;
+    const auto key = static_cast<std::uint32_t>(result.keys.size());
+    result.keys.push_back(surface_keys_of(entity));
+    const formats::BspModel& faces = bsp.models[*model];
+    std::fill_n(result.of_face.begin() + faces.first_face, faces.face_count, key);
+  }
+  return result;
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,188 @@
+#include "compiler/light/faces/light_maps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "base/bytes.h"
+
+namespace temblor::compiler {
+namespace {
+
+constexpr float kMaxStored = 255;
+
+struct StyledSamples {
+  std::uint8_t style = 0;
+  std::vector<std::uint8_t> rgb, gray;
+  std::size_t brightness = 0;  // sum of rgb
+};
+
+float brightest_of(const math::Vec3& color) {
+  return std::max({color.x, color.y, color.z});
+}
+
+// The light of one style in the lights' own measure.
+std::vector<math::Vec3> sum_of(const FaceLight& light, std::uint8_t style, std::size_t luxels) {
+  const LightLayer* sum = light.find(style, LayerKind::kAdd);
+  return sum != nullptr ? sum->samples : std::vector<math::Vec3>(luxels, math::Vec3(0.0f));
+}
+
+// Style 0's least light: the greater of the level's and the face's own.
+void raise_to_min_light(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
+                        std::vector<math::Vec3>& io_samples) {
+  const math::Vec3 level = settings.min_light_color * settings.min_light;
+  const math::Vec3 own =
+      math::Vec3(keys.min_light_color[0], keys.min_light_color[1], keys.min_light_color[2]) * keys.min_light;
+  const math::Vec3 least = glm::max(level, own);
+  const bool dirty = settings.min_light_dirt && !light.dirt.empty();
+  for (std::size_t i = 0; i < io_samples.size(); ++i)
+    io_samples[i] = glm::max(io_samples[i], least * (dirty ? light.dirt[i] : 1));
+}
+
+// From the lights' measure to 0..255; what is too bright keeps its hue.
+math::Vec3 stored(const LightSettings& settings, math::Vec3 light) {
+  light = glm::max(light, math::Vec3(0.0f));
+  const float brightest = brightest_of(light);
+  if (settings.max_light > 0 && brightest > settings.max_light) light *= settings.max_light / brightest;
+  light *= settings.range;
+  if (settings.gamma != 1)
+    for (int channel = 0; channel < 3; ++channel)
+      light[channel] = std::pow(light[channel] / kMaxStored, 1 / settings.gamma) * kMaxStored;
+  const float too_bright = brightest_of(light);
+  return too_bright > kMaxStored ? light * (kMaxStored / too_bright) : light;
+}
+
+std::uint8_t rounded(float value) {
+  return static_cast<std::uint8_t>(std::clamp(value + 0.5f, 0.0f, kMaxStored));
+}
+
+StyledSamples samples_of(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
+                         std::uint8_t style, std::size_t luxels) {
+  std::vector<math::Vec3> samples = sum_of(light, style, luxels);
+  if (style == 0) raise_to_min_light(settings, keys, light, samples);
+  if (const LightLayer* raise = light.find(style, LayerKind::kRaise))
+    for (std::size_t i = 0; i < luxels; ++i) samples[i] = glm::max(samples[i], raise->samples[i]);
+  if (const LightLayer* less = light.find(style, LayerKind::kSubtract))
+    for (std::size_t i = 0; i < luxels; ++i) samples[i] -= less->samples[i];
+  StyledSamples result;
+  result.style = style;
+  for (const math::Vec3& sample : samples) {
+    const math::Vec3 bytes = stored(settings, sample);
+    for (int channel = 0; channel < 3; ++channel) {
+      result.rgb.push_back(rounded(bytes[channel]));
+      result.brightness += result.rgb.back();
+    }
+    result.gray.push_back(rounded(brightest_of(bytes)));
+  }
+  return result;
+}
+
+struct FaceStyles {
+  std::vector<StyledSamples> styles;  // of at most four styles, the lowest first
+  std::size_t dropped = 0;            // those that found no room
+};
+
+FaceStyles styles_of(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
+                     std::size_t luxels) {
+  std::array<bool, 256> used{};
+  used[0] = true;
+  for (const LightLayer& layer : light.layers) used[layer.style] = true;
+  std::vector<StyledSamples> styles;
+  for (std::size_t style = 0; style < used.size(); ++style) {
+    if (!used[style]) continue;
+    StyledSamples samples = samples_of(settings, keys, light, static_cast<std::uint8_t>(style), luxels);
+    if (samples.brightness > 0) styles.push_back(std::move(samples));
+  }
+  constexpr std::size_t kMaxStyles = 4;
+  if (styles.size() <= kMaxStyles) return {std::move(styles), 0};
+  const std::size_t dropped = styles.size() - kMaxStyles;
+  std::stable_sort(styles.begin(), styles.end(),
+                   [](const auto& a, const auto& b) { return a.brightness > b.brightness; });
+  styles.resize(kMaxStyles);
+  std::sort(styles.begin(), styles.end(), [](const auto& a, const auto& b) { return a.style < b.style; });
+  return {std::move(styles), dropped};
+}
+
+struct MapPlace {
+  std::array<std::uint8_t, 4> styles{255, 255, 255, 255};
+  std::int32_t offset = -1;
+};
+
+// Puts samples behind those that are there.
+MapPlace append(const FaceStyles& map, formats::Bsp& io_bsp, formats::Lit& io_lit) {
+  MapPlace place;
+  if (map.styles.empty()) return place;
+  place.offset = static_cast<std::int32_t>(io_bsp.lighting.size());
+  for (std::size_t i = 0; i < map.styles.size(); ++i) {
+    const StyledSamples& samples = map.styles[i];
+    place.styles[i] = samples.style;
+    io_bsp.lighting.insert(io_bsp.lighting.end(), samples.gray.begin(), samples.gray.end());
+    io_lit.samples.insert(io_lit.samples.end(), samples.rgb.begin(), samples.rgb.end());
+  }
+  return place;
+}
+
+constexpr std::array<const char*, 3> kScaledLumps{"LMSHIFT", "LMOFFSET", "LMSTYLE"};
+
+void append_scaled(const LitLevel& lit, const std::vector<FaceStyles>& by_map, formats::Bsp& io_bsp,
+                   formats::Lit& io_lit) {
+  std::vector<MapPlace> places;
+  std::vector<std::int32_t> texels;
+  for (std::size_t face = 0; face < io_bsp.faces.size(); ++face) {
+    places.push_back({io_bsp.faces[face].styles, io_bsp.faces[face].light_offset});
+    texels.push_back(lit.maps[face].texels);
+  }
+  for (std::size_t map = places.size(); map < lit.maps.size(); ++map) {
+    places[lit.maps[map].face] = append(by_map[map], io_bsp, io_lit);
+    texels[lit.maps[map].face] = lit.maps[map].texels;
+  }
+  base::ByteWriter shifts, offsets, styles;
+  for (std::size_t face = 0; face < places.size(); ++face) {
+    shifts.u8(static_cast<std::uint8_t>(std::countr_zero(static_cast<std::uint32_t>(texels[face]))));
+    offsets.i32(places[face].offset);
+    styles.bytes(std::as_bytes(std::span(places[face].styles)));
+  }
+  io_bsp.bspx.push_back({kScaledLumps[0], std::move(shifts).take()});
+  io_bsp.bspx.push_back({kScaledLumps[1], std::move(offsets).take()});
+  io_bsp.bspx.push_back({kScaledLumps[2], std::move(styles).take()});
+}
+
+}  // namespace
+
+PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
+                            const std::vector<FaceLight>& light, base::Jobs& io_jobs, formats::Bsp& io_bsp,
+                            Warnings& io_warnings) {
+  std::vector<FaceStyles> by_map(lit.maps.size());
+  io_jobs.parallel_for(by_map.size(), [&](std::size_t map) {
+    const std::size_t face = lit.maps[map].face;
+    if (lit.gets_light[face])
+      by_map[map] = styles_of(settings, lit.keys_of(face), light[map], lit.maps[map].size());
+  });
+  PackedLight packed;
+  io_bsp.lighting.clear();
+  std::size_t dropped = 0;
+  for (std::size_t number = 0; number < io_bsp.faces.size(); ++number) {
+    const MapPlace place = append(by_map[number], io_bsp, packed.lit);
+    io_bsp.faces[number].styles = place.styles;
+    io_bsp.faces[number].light_offset = place.offset;
+    dropped += by_map[number].dropped;
+    if (lit.gets_light[number]) ++(place.offset < 0 ? packed.dark_faces : packed.lit_faces);
+  }
+  for (const char* lump : kScaledLumps)
+    std::erase_if(io_bsp.bspx, [&](const formats::BspxLump& known) { return known.name == lump; });
+  if (lit.maps.size() > io_bsp.faces.size()) append_scaled(lit, by_map, io_bsp, packed.lit);
+  for (std::size_t i = 0; i + 2 < packed.lit.samples.size() && !packed.colored; i += 3)
+    packed.colored = packed.lit.samples[i] != packed.lit.samples[i + 1] ||
+                     packed.lit.samples[i] != packed.lit.samples[i + 2];
+  if (dropped > 0)
+    io_warnings.push_back({"more than four light styles on a face",
+                           fmt::format("{} styles, the darkest of their faces, were left out", dropped)});
+  return packed;
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,381 @@
+// Method: rays go to Embree sixteen at a time, neighbors together, as most of them run the same way.
+// What lets some light through is a scene of its own with a filter: it takes down how much is lost and
+// sends the ray on. Losses are added as whole numbers, so that their order does not matter.
+#include "compiler/light/rays/ray_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "compiler/light/rays/embree.h"
+
+namespace temblor::compiler {
+namespace {
+
+constexpr std::size_t kLanes = 16;
+constexpr float kLossSteps = 65536;  // for each factor of e
+constexpr float kMinShare = 1.0f / 1024;
+
+using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, decltype(&rtcReleaseDevice)>;
+using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, decltype(&rtcReleaseScene)>;
+
+// The panes that a ray has been through: Embree may show it the same one again, and on a face's diagonal it
+// meets two triangles. Behind so many more of them make no difference.
+struct PassedPanes {
+  std::array<std::uint32_t, 12> surfaces;  // the first `count` of them
+  std::size_t count = 0;
+
+  // False where the pane is known, or there is no room.
+  bool add(std::uint32_t surface) {
+    const auto end = surfaces.begin() + static_cast<std::ptrdiff_t>(count);
+    if (count == surfaces.size() || std::find(surfaces.begin(), end, surface) != end) return false;
+    surfaces[count++] = surface;
+    return true;
+  }
+};
+
+// What filters note down for each lane. Embree hands the first member on to them.
+struct LossContext {
+  EmbreeContext embree;
+  std::array<std::array<std::int32_t, 3>, kLanes> lost{};
+  std::array<PassedPanes, kLanes> passed{};
+  std::uint32_t receiver_model = 0;
+};
+struct TieContext {
+  EmbreeContext embree;
+  std::array<float, kLanes> distance{};  // of the hit that stands; below 0: none
+  std::array<std::uint32_t, kLanes> surface{};
+};
+
+std::uint32_t wrapped_texel(float coordinate, std::uint32_t size) {
+  const auto texel = static_cast<std::int64_t>(std::floor(coordinate)) % std::int64_t{size};
+  return static_cast<std::uint32_t>(texel < 0 ? texel + std::int64_t{size} : texel);
+}
+
+math::Vec3 passes_at(const AlphaMask& surface, const math::Vec3& point) {
+  if (surface.passes_by_texel.empty()) return surface.passes;
+  const std::uint32_t s = wrapped_texel(glm::dot(point, surface.s_axis) + surface.s_offset, surface.width);
+  const std::uint32_t t = wrapped_texel(glm::dot(point, surface.t_axis) + surface.t_offset, surface.height);
+  return surface.passes_by_texel[surface.texels[std::size_t{t} * surface.width + s]];
+}
+
+// The share that passes at a point, along a direction.
+math::Vec3 share_through(const AlphaMask& surface, const math::Vec3& point, const math::Vec3& direction) {
+  const math::Vec3 passes = passes_at(surface, point);
+  // A pane has two sides, and is to count once.
+  if (passes != math::Vec3(0.0f) && glm::dot(direction, surface.normal) > 0) return math::Vec3(1.0f);
+  return passes;
+}
+
+bool falls_on(const AlphaMask& surface, std::uint32_t receiver_model) {
+  switch (surface.receivers) {
+    case ShadowReceivers::kAll:
+      break;
+    case ShadowReceivers::kOwnModel:
+      return receiver_model == surface.model;
+    case ShadowReceivers::kWorld:
+      return receiver_model == 0;
+  }
+  return true;
+}
+
+struct SkySet {
+  std::vector<OccluderTriangle> triangles;
+  std::vector<math::Vec3> normals;
+};
+
+math::Vec3 direction_of(const RTCFilterFunctionNArguments& arguments, unsigned lane) {
+  const unsigned lanes = arguments.N;
+  return {RTCRayN_dir_x(arguments.ray, lanes, lane), RTCRayN_dir_y(arguments.ray, lanes, lane),
+          RTCRayN_dir_z(arguments.ray, lanes, lane)};
+}
+
+struct SieveSet {
+  std::vector<OccluderTriangle> triangles;
+  std::vector<AlphaMask> surfaces;
+};
+
+void pass_sieves(const RTCFilterFunctionNArguments* arguments) {
+  const auto& sieves = *static_cast<const SieveSet*>(arguments->geometryUserPtr);
+  auto& losses = *reinterpret_cast<LossContext*>(arguments->context);
+  const unsigned lanes = arguments->N;
+  for (unsigned i = 0; i < lanes; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const unsigned triangle = RTCHitN_primID(arguments->hit, lanes, i);
+    const math::Vec3 direction = direction_of(*arguments, i);
+    const math::Vec3 origin(RTCRayN_org_x(arguments->ray, lanes, i), RTCRayN_org_y(arguments->ray, lanes, i),
+                            RTCRayN_org_z(arguments->ray, lanes, i));
+    const math::Vec3 point = origin + direction * RTCRayN_tfar(arguments->ray, lanes, i);
+    const std::uint32_t number = sieves.triangles[triangle].surface;
+    const AlphaMask& surface = sieves.surfaces[number];
+    const math::Vec3 share = falls_on(surface, losses.receiver_model)
+                                 ? share_through(surface, point, direction)
+                                 : math::Vec3(1.0f);
+    if (std::max({share.x, share.y, share.z}) < kMinShare) continue;  // stays hit
+    arguments->valid[i] = 0;
+    const unsigned lane = RTCRayN_id(arguments->ray, lanes, i);
+    if (share == math::Vec3(1.0f) || !losses.passed[lane].add(number)) continue;
+    for (int channel = 0; channel < 3; ++channel)
+      losses.lost[lane][static_cast<std::size_t>(channel)] -=
+          static_cast<std::int32_t>(std::lround(std::log(std::max(share[channel], kMinShare)) * kLossSteps));
+  }
+}
+
+// From behind, sky is not seen; often another face of it, which is, lies in the same plane.
+void turn_down_back_sides(const RTCFilterFunctionNArguments* arguments) {
+  const auto& skies = *static_cast<const SkySet*>(arguments->geometryUserPtr);
+  const unsigned lanes = arguments->N;
+  for (unsigned i = 0; i < lanes; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const unsigned triangle = RTCHitN_primID(arguments->hit, lanes, i);
+    const math::Vec3& normal = skies.normals[skies.triangles[triangle].surface];
+    if (glm::dot(direction_of(*arguments, i), normal) >= 0) arguments->valid[i] = 0;
+  }
+}
+
+// Of hits at the same distance that of the lowest surface stands, in whatever order they are found.
+void break_ties(const RTCFilterFunctionNArguments* arguments) {
+  const auto& triangles = *static_cast<const std::vector<OccluderTriangle>*>(arguments->geometryUserPtr);
+  auto& ties = *reinterpret_cast<TieContext*>(arguments->context);
+  const unsigned lanes = arguments->N;
+  for (unsigned i = 0; i < lanes; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const unsigned lane = RTCRayN_id(arguments->ray, lanes, i);
+    const float distance = RTCRayN_tfar(arguments->ray, lanes, i);
+    const std::uint32_t surface = triangles[RTCHitN_primID(arguments->hit, lanes, i)].surface;
+    if (distance == ties.distance[lane] && surface > ties.surface[lane]) {
+      arguments->valid[i] = 0;
+      continue;
+    }
+    ties.distance[lane] = distance;
+    ties.surface[lane] = surface;
+  }
+}
+
+math::Vec3 share_after(const std::array<std::int32_t, 3>& lost) {
+  if (lost == std::array<std::int32_t, 3>{}) return math::Vec3(1.0f);
+  math::Vec3 share;
+  for (int channel = 0; channel < 3; ++channel)
+    share[channel] = std::exp(static_cast<float>(-lost[static_cast<std::size_t>(channel)]) / kLossSteps);
+  return share;
+}
+
+struct Filter {
+  void* data = nullptr;
+  RTCFilterFunctionN occluded = nullptr, intersected = nullptr;
+};
+
+void add_triangles(const Embree& embree, RTCDevice device, RTCScene scene,
+                   std::span<const math::Vec3> vertices, std::span<const OccluderTriangle> triangles,
+                   const Filter& filter) {
+  if (triangles.empty()) return;
+  const RTCGeometry geometry = embree.new_geometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  // Embree reads 16 bytes at each vertex: its own buffer has the room behind the last one.
+  void* positions = embree.set_new_geometry_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                   sizeof(math::Vec3), vertices.size());
+  void* indices = embree.set_new_geometry_buffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                 sizeof(std::uint32_t) * 3, triangles.size());
+  if (positions != nullptr && indices != nullptr) {
+    std::copy(vertices.begin(), vertices.end(), static_cast<math::Vec3*>(positions));
+    auto* corner = static_cast<std::uint32_t*>(indices);
+    for (const OccluderTriangle& triangle : triangles)
+      corner = std::copy_n(triangle.corners.begin(), 3, corner);
+  }
+  embree.set_geometry_user_data(geometry, filter.data);
+  if (filter.occluded != nullptr) embree.set_geometry_occluded_filter_function(geometry, filter.occluded);
+  if (filter.intersected != nullptr)
+    embree.set_geometry_intersect_filter_function(geometry, filter.intersected);
+  embree.commit_geometry(geometry);
+  embree.attach_geometry(scene, geometry);
+  embree.release_geometry(geometry);
+}
+
+Scene make_scene(const Embree& embree, RTCDevice device) {
+  Scene scene(embree.new_scene(device), embree.release_scene);
+  embree.set_scene_flags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  return scene;
+}
+
+void set_lane(RTCRay16& io_rays, std::size_t lane, const math::Vec3& origin, const math::Vec3& direction,
+              float reach) {
+  io_rays.org_x[lane] = origin.x;
+  io_rays.org_y[lane] = origin.y;
+  io_rays.org_z[lane] = origin.z;
+  io_rays.dir_x[lane] = direction.x;
+  io_rays.dir_y[lane] = direction.y;
+  io_rays.dir_z[lane] = direction.z;
+  io_rays.tnear[lane] = 0;
+  io_rays.tfar[lane] = reach;
+  io_rays.time[lane] = 0;
+  io_rays.mask[lane] = ~0u;
+  io_rays.id[lane] = static_cast<unsigned>(lane);
+  io_rays.flags[lane] = 0;
+}
+
+// Lanes behind `count` hold some valid ray: Embree looks at them though they do not take part.
+void fill_lanes(RTCRay16& io_rays, std::size_t count) {
+  for (std::size_t i = count; i < kLanes; ++i) set_lane(io_rays, i, math::Vec3(0.0f), math::Vec3(0, 0, 1), 0);
+}
+
+// Lanes of -1 take part.
+struct alignas(64) LaneMask {
+  std::array<int, kLanes> lane{};
+  bool any() const {
+    return std::any_of(lane.begin(), lane.end(), [](int value) { return value != 0; });
+  }
+};
+
+LaneMask first_lanes(std::size_t count) {
+  LaneMask mask;
+  std::fill_n(mask.lane.begin(), count, -1);
+  return mask;
+}
+
+constexpr float kToTheSky = 1 << 26;  // longer than any level is wide
+
+}  // namespace
+
+struct RayScene::Scenes {
+  Embree embree;
+  Device device{nullptr, nullptr};
+  Scene opaque{nullptr, nullptr}, sieve{nullptr, nullptr}, sky{nullptr, nullptr};
+  SieveSet sieves;
+  SkySet skies;
+  std::vector<OccluderTriangle> opaque_triangles;
+
+  // Shares of the rays that `mask` names; the others' are left alone.
+  void shares(const LaneMask& mask, RTCRay16& io_rays, math::Vec3* out_share,
+              std::uint32_t receiver_model) const {
+    LossContext context;
+    context.receiver_model = receiver_model;
+    Embree::init_context(context.embree);
+    embree.occluded16(mask.lane.data(), opaque.get(), context.embree, io_rays);
+    if (!sieves.triangles.empty()) {
+      LaneMask left = mask;
+      for (std::size_t i = 0; i < kLanes; ++i)
+        if (io_rays.tfar[i] < 0) left.lane[i] = 0;
+      if (left.any()) embree.occluded16(left.lane.data(), sieve.get(), context.embree, io_rays);
+    }
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      if (mask.lane[i] == 0) continue;
+      // Embree sets tfar to minus infinity where a ray is blocked.
+      out_share[i] = io_rays.tfar[i] < 0 ? math::Vec3(0.0f) : share_after(context.lost[i]);
+    }
+  }
+};
+
+RayScene::RayScene(std::unique_ptr<Scenes> scenes) : scenes_(std::move(scenes)) {}
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+base::Status RayScene::check() {
+  const base::Result<RayScene> nothing = make({});
+  return nothing.ok() ? base::Status(base::Ok{}) : nothing.error();
+}
+
+base::Result<RayScene> RayScene::make(Occluders occluders) {
+  auto scenes = std::make_unique<Scenes>();
+  TRY(scenes->embree, Embree::load());
+  const Embree& embree = scenes->embree;
+  // One instruction set on all machines that have it: others round differently.
+  scenes->device = Device(embree.new_device("isa=avx2"), embree.release_device);
+  if (!scenes->device)
+    return base::error(base::ErrorCode::kUnsupported, "Embree does not run on this machine");
+  const RTCDevice device = scenes->device.get();
+  scenes->sieves = {std::move(occluders.sieves), std::move(occluders.sieve_surfaces)};
+  scenes->opaque_triangles = std::move(occluders.opaque);
+  scenes->skies = {std::move(occluders.skies), std::move(occluders.sky_normals)};
+  scenes->opaque = make_scene(embree, device);
+  add_triangles(embree, device, scenes->opaque.get(), occluders.vertices, scenes->opaque_triangles,
+                {&scenes->opaque_triangles, nullptr, break_ties});
+  scenes->sieve = make_scene(embree, device);
+  add_triangles(embree, device, scenes->sieve.get(), occluders.vertices, scenes->sieves.triangles,
+                {&scenes->sieves, pass_sieves, nullptr});
+  scenes->sky = make_scene(embree, device);
+  add_triangles(embree, device, scenes->sky.get(), occluders.vertices, scenes->skies.triangles,
+                {&scenes->skies, nullptr, turn_down_back_sides});
+  for (const RTCScene scene : {scenes->opaque.get(), scenes->sieve.get(), scenes->sky.get()})
+    embree.commit_scene(scene);
+  if (embree.get_device_error(device) != RTC_ERROR_NONE)
+    return base::error(base::ErrorCode::kTooLarge, "no memory for the {} triangles that light meets",
+                       scenes->opaque_triangles.size());
+  return RayScene(std::move(scenes));
+}
+
+bool RayScene::has_sky() const {
+  return !scenes_->skies.triangles.empty();
+}
+
+void RayScene::towards_point(std::span<const math::Vec3> points, const math::Vec3& source_world,
+                             std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
+  CHECK(points.size() == out_share.size());
+  RTCRay16 rays;
+  for (std::size_t first = 0; first < points.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, points.size() - first);
+    for (std::size_t i = 0; i < count; ++i)
+      set_lane(rays, i, points[first + i], source_world - points[first + i], 1);
+    fill_lanes(rays, count);
+    scenes_->shares(first_lanes(count), rays, out_share.data() + first, receiver_model);
+  }
+}
+
+void RayScene::towards_sky(std::span<const math::Vec3> points, const math::Vec3& direction,
+                           std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
+  CHECK(points.size() == out_share.size());
+  RTCRayHit16 rays;
+  EmbreeContext context;
+  Embree::init_context(context);
+  for (std::size_t first = 0; first < points.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, points.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      set_lane(rays.ray, i, points[first + i], direction, kToTheSky);
+      rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+      out_share[first + i] = math::Vec3(0.0f);
+    }
+    fill_lanes(rays.ray, count);
+    LaneMask mask = first_lanes(count);
+    scenes_->embree.intersect16(mask.lane.data(), scenes_->sky.get(), context, rays);
+    for (std::size_t i = 0; i < count; ++i)
+      if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) mask.lane[i] = 0;
+    if (mask.any()) scenes_->shares(mask, rays.ray, out_share.data() + first, receiver_model);
+  }
+}
+
+void RayScene::towards_void(std::span<const math::Vec3> points, const math::Vec3& direction,
+                            std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
+  CHECK(points.size() == out_share.size());
+  RTCRay16 rays;
+  for (std::size_t first = 0; first < points.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, points.size() - first);
+    for (std::size_t i = 0; i < count; ++i) set_lane(rays, i, points[first + i], direction, kToTheSky);
+    fill_lanes(rays, count);
+    scenes_->shares(first_lanes(count), rays, out_share.data() + first, receiver_model);
+  }
+}
+
+void RayScene::nearest(std::span<const math::Vec3> points, std::span<const math::Vec3> directions,
+                       float max_distance, std::span<RayHit> out_hits) const {
+  CHECK(points.size() == directions.size() && points.size() == out_hits.size());
+  RTCRayHit16 rays;
+  TieContext context;
+  Embree::init_context(context.embree);
+  for (std::size_t first = 0; first < points.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, points.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      set_lane(rays.ray, i, points[first + i], directions[first + i], max_distance);
+      rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    context.distance.fill(-1);
+    fill_lanes(rays.ray, count);
+    const LaneMask mask = first_lanes(count);
+    scenes_->embree.intersect16(mask.lane.data(), scenes_->opaque.get(), context.embree, rays);
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool hit = rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+      out_hits[first + i] = {rays.ray.tfar[i],
+                             hit ? scenes_->opaque_triangles[rays.hit.primID[i]].surface : RayHit::kNone};
+    }
+  }
+}
+
+}  // namespace temblor::compiler

@@ -1,0 +1,214 @@
+#include "compiler/light/sources/entity_lights.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+#include "base/text.h"
+#include "compiler/light/sources/keys.h"
+
+namespace temblor::compiler {
+namespace {
+
+constexpr int kFirstSwitchableStyle = 32, kStyles = 64;
+constexpr float kDefaultValue = 300, kDefaultConeDeg = 40;
+
+// By its place: a level numbers its entities otherwise than its map, which has groups and details among them.
+std::string name_of(const formats::Entity& entity) {
+  return fmt::format("{} at \"{}\"", base::printable(entity.classname()),
+                     base::printable(entity.find("origin").value_or("")));
+}
+
+// "light" as one number, or as red, green, blue and brightness.
+struct Brightness {
+  float value = kDefaultValue;
+  std::optional<math::Vec3> color;
+};
+Brightness brightness_of(const formats::Entity& entity) {
+  if (const auto value = number_of(entity, "light")) return {*value, {}};
+  const auto text = entity.find("_light") ? entity.find("_light") : entity.find("light");
+  if (!text) return {};
+  std::array<float, 4> numbers{0, 0, 0, kDefaultValue};
+  std::size_t count = 0;
+  const char* at = text->data();
+  const char* const end = at + text->size();
+  while (count < numbers.size()) {
+    while (at < end && *at == ' ') ++at;
+    const auto [next, error] = std::from_chars(at, end, numbers[count]);
+    if (error != std::errc{} || !std::isfinite(numbers[count])) break;
+    at = next;
+    ++count;
+  }
+  if (count < 3) return {};
+  const math::Vec3 color(numbers[0], numbers[1], numbers[2]);
+  return {numbers[3], glm::max(color, math::Vec3(0.0f)) / 255.0f};
+}
+
+// Among all entities, by name; nothing when there is none with an origin.
+std::optional<math::Vec3> origin_of_target(std::span<const formats::Entity> entities, std::string_view name) {
+  for (const formats::Entity& entity : entities)
+    if (entity.find("targetname").value_or("") == name && entity.find_vec3("origin"))
+      return entity.find_vec3("origin");
+  return std::nullopt;
+}
+
+std::optional<math::Vec3> spot_direction(std::span<const formats::Entity> entities, std::size_t number,
+                                         const math::Vec3& origin, Warnings& io_warnings) {
+  const formats::Entity& entity = entities[number];
+  if (const auto target = entity.find("target"); target && !target->empty()) {
+    const auto at = origin_of_target(entities, *target);
+    if (at && *at != origin) return glm::normalize(*at - origin);
+    io_warnings.push_back(
+        {"light without its target",
+         fmt::format("{}: nothing is named \"{}\"", name_of(entity), base::printable(*target))});
+    return std::nullopt;
+  }
+  return direction_of_mangle(entity, "mangle");
+}
+
+float cos_of_half(float angle_deg) {
+  const float half_deg = std::clamp(angle_deg, 0.0f, 360.0f) / 2;
+  return static_cast<float>(std::cos(double{half_deg} * std::numbers::pi / 180));
+}
+
+Cone cone_of(const formats::Entity& entity, const math::Vec3& direction) {
+  const float angle = number_or(entity, "angle", 0), soft_angle = number_or(entity, "softangle", 0);
+  Cone cone;
+  cone.direction = direction;
+  cone.cos_outer = cos_of_half(angle > 0 ? angle : kDefaultConeDeg);
+  cone.cos_inner = soft_angle > 0 ? std::max(cone.cos_outer, cos_of_half(soft_angle)) : cone.cos_outer;
+  return cone;
+}
+
+std::optional<Attenuation> attenuation_of(const formats::Entity& entity) {
+  const float delay = number_or(entity, "delay", 0);
+  for (int i = 0; i <= static_cast<int>(Attenuation::kInverseSquare2); ++i)
+    if (delay == static_cast<float>(i)) return static_cast<Attenuation>(i);
+  return std::nullopt;
+}
+
+std::uint8_t style_of(const formats::Entity& entity) {
+  const float style = number_or(entity, "style", 0);
+  return style >= 0 && style < kStyles ? static_cast<std::uint8_t>(style) : std::uint8_t{0};
+}
+
+// All but where it stands and which way it shines.
+LightSource light_of(const formats::Entity& entity, const LightSettings& settings, Attenuation attenuation) {
+  LightSource light;
+  const Brightness brightness = brightness_of(entity);
+  light.value = brightness.value;
+  light.color = color_of(entity, "color").value_or(brightness.color.value_or(math::Vec3(1.0f)));
+  light.attenuation = attenuation;
+  const float wait = number_or(entity, "wait", 1);
+  light.wait = (wait > 0 ? wait : 1) * settings.distance_scale;
+  light.falloff = std::max(0.0f, number_or(entity, "falloff", 0));
+  light.angle_scale = std::clamp(
+      number_or(entity, "anglescale", number_or(entity, "anglesense", settings.angle_scale)), 0.0f, 1.0f);
+  light.style = style_of(entity);
+  light.takes_dirt = settings.dirt.on && number_or(entity, "dirt", 0) >= 0;
+  return light;
+}
+
+// A light with _deviance stands for several around it, which share its value where values add up.
+void add_with_deviance(const formats::Entity& entity, const LightSource& light,
+                       std::vector<LightSource>& io_lights) {
+  constexpr float kDefaultCopies = 16, kMaxCopies = 256;
+  const float deviance = number_or(entity, "deviance", 0);
+  const int copies =
+      deviance > 0
+          ? static_cast<int>(std::clamp(number_or(entity, "samples", kDefaultCopies), 1.0f, kMaxCopies))
+          : 1;
+  LightSource copy = light;
+  const bool shared =
+      light.attenuation != Attenuation::kLinear && light.attenuation != Attenuation::kLocalMinlight;
+  if (shared) copy.value /= static_cast<float>(copies);
+  for (int i = 0; i < copies; ++i) {
+    // Points of a cube after the additive recurrence of Roberts, "The Unreasonable Effectiveness of
+    // Quasirandom Sequences" (2018): the first three powers of the root of x^4 = x + 1.
+    constexpr math::Vec3d kStep(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
+    const math::Vec3d unit = glm::fract(kStep * static_cast<double>(i) + 0.5) * 2.0 - 1.0;
+    copy.origin_world = light.origin_world + math::Vec3(unit * double{deviance});
+    io_lights.push_back(copy);
+  }
+}
+
+void add_light(std::span<const formats::Entity> entities, std::size_t number, const LightSettings& settings,
+               EntityLights& io_lights, Warnings& io_warnings) {
+  const formats::Entity& entity = entities[number];
+  const std::optional<Attenuation> attenuation = attenuation_of(entity);
+  if (!attenuation) {
+    io_warnings.push_back({"light with an unknown delay", name_of(entity)});
+    return;
+  }
+  LightSource light = light_of(entity, settings, *attenuation);
+  light.origin_world = entity.find_vec3("origin").value_or(math::Vec3(0.0f));
+  if (const auto direction = spot_direction(entities, number, light.origin_world, io_warnings))
+    light.cone = cone_of(entity, *direction);
+  if (const auto texture = entity.find("_surface"); texture && !texture->empty()) {
+    const bool spotlight = number_or(entity, "surface_spotlight", 0) > 0;
+    if (spotlight) light.cone = cone_of(entity, math::Vec3(0.0f));
+    io_lights.templates.push_back(
+        {std::string(*texture), number_or(entity, "surface_offset", 2), spotlight, light});
+    return;
+  }
+  add_with_deviance(entity, light, io_lights.lights);
+}
+
+bool is_sun(const formats::Entity& entity) {
+  return number_or(entity, "sun", 0) > 0 || number_or(entity, "sunlight2", 0) > 0 ||
+         number_or(entity, "sunlight3", 0) > 0;
+}
+
+}  // namespace
+
+bool is_light(const formats::Entity& entity) {
+  return entity.classname().starts_with("light");
+}
+
+bool assign_switchable_styles(std::vector<formats::Entity>& io_entities, Warnings& io_warnings) {
+  std::vector<std::string> names;
+  bool changed = false;
+  for (std::size_t number = 0; number < io_entities.size(); ++number) {
+    formats::Entity& entity = io_entities[number];
+    const std::string name(entity.find("targetname").value_or(""));
+    if (!is_light(entity) || name.empty()) continue;
+    auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+      if (names.size() == kStyles - kFirstSwitchableStyle) {
+        io_warnings.push_back({"too many switchable lights", name_of(entity)});
+        continue;
+      }
+      found = names.insert(names.end(), name);
+    }
+    const std::string style = fmt::format("{}", kFirstSwitchableStyle + (found - names.begin()));
+    const auto pair = std::find_if(entity.pairs.begin(), entity.pairs.end(),
+                                   [](const auto& candidate) { return candidate.first == "style"; });
+    if (pair != entity.pairs.end() && pair->second == style) continue;
+    changed = true;
+    if (pair != entity.pairs.end())
+      pair->second = style;
+    else
+      entity.pairs.emplace_back("style", style);
+  }
+  return changed;
+}
+
+EntityLights entity_lights_of(std::span<const formats::Entity> entities, const LightSettings& settings,
+                              Warnings& io_warnings) {
+  EntityLights lights;
+  for (std::size_t number = 0; number < entities.size(); ++number) {
+    const formats::Entity& entity = entities[number];
+    if (!is_light(entity) || is_sun(entity) || number_or(entity, "nostaticlight", 0) > 0) continue;
+    add_light(entities, number, settings, lights, io_warnings);
+  }
+  return lights;
+}
+
+}  // namespace temblor::compiler

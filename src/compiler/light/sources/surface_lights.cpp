@@ -1,0 +1,85 @@
+#include "compiler/light/sources/surface_lights.h"
+
+#include <cmath>
+#include <limits>
+
+#include "base/text.h"
+#include "world/face_at.h"
+
+namespace temblor::compiler {
+namespace {
+
+constexpr double kPieceUnits = 128;
+
+using Polygon = std::vector<math::Vec3d>;
+
+// The part of a convex polygon between two planes across an axis.
+Polygon slice(const Polygon& polygon, int axis, double low, double high) {
+  Polygon kept = polygon;
+  for (const double sign : {1.0, -1.0}) {
+    const double limit = sign > 0 ? low : -high;
+    Polygon cut;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      const math::Vec3d& a = kept[i];
+      const math::Vec3d& b = kept[(i + 1) % kept.size()];
+      const double inside_a = a[axis] * sign - limit, inside_b = b[axis] * sign - limit;
+      if (inside_a >= 0) cut.push_back(a);
+      if ((inside_a > 0 && inside_b < 0) || (inside_a < 0 && inside_b > 0))
+        cut.push_back(a + (b - a) * (inside_a / (inside_a - inside_b)));
+    }
+    kept = std::move(cut);
+  }
+  return kept;
+}
+
+// Equal slices along each axis in turn, none wider than kPieceUnits.
+std::vector<Polygon> pieces_of(const Polygon& polygon) {
+  std::vector<Polygon> pieces{polygon};
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<Polygon> finer;
+    for (const Polygon& piece : pieces) {
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      for (const math::Vec3d& corner : piece) {
+        low = std::min(low, corner[axis]);
+        high = std::max(high, corner[axis]);
+      }
+      const int count = std::max(1, static_cast<int>(std::ceil((high - low) / kPieceUnits - 1e-6)));
+      for (int i = 0; i < count; ++i) {
+        Polygon part = count == 1 ? piece
+                                  : slice(piece, axis, low + (high - low) * i / count,
+                                          low + (high - low) * (i + 1) / count);
+        if (part.size() >= 3) finer.push_back(std::move(part));
+      }
+    }
+    pieces = std::move(finer);
+  }
+  return pieces;
+}
+
+math::Vec3d middle_of(const Polygon& polygon) {
+  math::Vec3d sum(0.0);
+  for (const math::Vec3d& corner : polygon) sum += corner;
+  return sum / static_cast<double>(polygon.size());
+}
+
+}  // namespace
+
+std::vector<LightSource> surface_lights_of(const LitLevel& lit, std::span<const SurfaceTemplate> templates) {
+  const world::Level& level = *lit.level;
+  std::vector<LightSource> lights;
+  for (const SurfaceTemplate& shining : templates)
+    for (std::size_t number = 0; number < level.faces.size(); ++number) {
+      const world::Face& face = level.faces[number];
+      if (!base::equal_ignoring_case(level.texture(face.texture).name, shining.texture)) continue;
+      const math::Vec3d normal = world::plane_of(level, face).normal;
+      LightSource light = shining.light;
+      if (light.cone && shining.spotlight) light.cone->direction = math::Vec3(normal);
+      for (const Polygon& piece : pieces_of(lit.corners_world(number))) {
+        light.origin_world = math::Vec3(middle_of(piece) + normal * double{shining.offset});
+        lights.push_back(light);
+      }
+    }
+  return lights;
+}
+
+}  // namespace temblor::compiler

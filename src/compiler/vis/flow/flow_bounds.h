@@ -1,0 +1,24 @@
+// What the search through one portal may know of all others.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "compiler/vis/bit_matrix.h"
+
+namespace temblor::compiler::vis {
+
+// What might be seen through each portal: finished rows of the portals whose rank is below `finished`, base
+// visibility for all others.
+struct FlowBounds {
+  const BitMatrix& base;
+  const BitMatrix& seen;
+  std::span<const std::uint32_t> rank_of_portal;
+  std::uint32_t finished = 0;
+
+  std::span<const BitMatrix::Word> row(std::uint32_t portal) const {
+    return rank_of_portal[portal] < finished ? seen.row(portal) : base.row(portal);
+  }
+};
+
+}  // namespace temblor::compiler::vis

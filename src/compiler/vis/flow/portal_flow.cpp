@@ -1,0 +1,143 @@
+#include "compiler/vis/flow/portal_flow.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace temblor::compiler::vis {
+
+namespace {
+
+using Word = BitMatrix::Word;
+
+// Portals cut in one search: few portals of ordinary levels take as many as the first, none the second.
+constexpr std::size_t kCutsUntilBound = 4000;
+constexpr std::size_t kCutsUntilEnd = 30'000;
+
+// out_both = a & b; whether that has a bit which `seen` has not.
+bool narrow(std::span<const Word> a, std::span<const Word> b, std::span<const Word> seen,
+            std::span<Word> out_both) {
+  Word fresh = 0;
+  for (std::size_t i = 0; i < out_both.size(); ++i) {
+    out_both[i] = a[i] & b[i];
+    fresh |= out_both[i] & ~seen[i];
+  }
+  return fresh != 0;
+}
+
+enum class Side { kInside, kOutside, kAcross };
+Side side_of(const DirectedPortal& portal, const HalfSpace& space) {
+  const double above = space.above(portal.center);
+  if (above >= portal.radius - kEpsilon) return Side::kInside;
+  return above <= kEpsilon - portal.radius ? Side::kOutside : Side::kAcross;
+}
+
+}  // namespace
+
+PortalFlow::Link& PortalFlow::link(std::size_t depth) {
+  while (chain_.size() <= depth) chain_.emplace_back();
+  return chain_[depth];
+}
+
+bool PortalFlow::cut_to_lines(Link& from, Link& io_to, bool direct) {
+  const DirectedPortal& source = graph_.portals[chain_[0].portal];
+  const DirectedPortal& target = graph_.portals[io_to.portal];
+  if (side_of(target, source.beyond) == Side::kOutside) return false;
+  if (std::ranges::any_of(from.separators.all(),
+                          [&](const HalfSpace& space) { return side_of(target, space) == Side::kOutside; }))
+    return false;
+
+  io_to.pass = target.winding;
+  if (side_of(target, source.beyond) == Side::kAcross && !cut(io_to.pass, source.beyond)) return false;
+  if (!direct && !cut(io_to.pass, graph_.portals[from.portal].beyond)) return false;
+  for (const HalfSpace& space : from.separators.all())
+    if (side_of(target, space) == Side::kAcross && !cut(io_to.pass, space)) return false;
+
+  io_to.source = from.source;
+  return cut(io_to.source, target.beyond.flipped());
+}
+
+// Of what is not seen yet, what lies outside the lines' reach might be seen no more. False when nothing
+// stays.
+bool PortalFlow::drop_hidden(Link& io_link, std::span<const Word> seen) {
+  Word fresh = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    for (Word rest = io_link.might[i] & ~seen[i]; rest != 0; rest &= rest - 1) {
+      const auto bit = static_cast<std::size_t>(std::countr_zero(rest));
+      const ClusterBox& box = graph_.boxes[i * 64 + bit];
+      if (std::ranges::any_of(io_link.separators.all(),
+                              [&](const HalfSpace& space) { return box.highest(space) <= kEpsilon; }))
+        io_link.might[i] &= ~(Word{1} << bit);
+    }
+    fresh |= io_link.might[i] & ~seen[i];
+  }
+  return fresh != 0;
+}
+
+bool PortalFlow::extend(std::size_t depth, std::uint32_t portal, const FlowBounds& bounds,
+                        std::span<Word> io_seen) {
+  Link& to = link(depth + 1);
+  Link& from = chain_[depth];
+  if (on_chain_[portal / 2] != 0) return false;  // a straight line crosses an opening once
+  if (!has_bit(from.might, graph_.portals[portal].to)) return false;
+  to.might.resize(from.might.size());
+  if (!narrow(from.might, bounds.row(portal), io_seen, to.might)) return false;
+  ++cuts_;
+  to.portal = portal;
+  to.next = 0;
+  if (!cut_to_lines(from, to, depth == 0)) return false;
+  set_bit(io_seen, graph_.portals[portal].to);
+  find_separators({to.source, graph_.portals[chain_[0].portal].beyond},
+                  {to.pass, graph_.portals[portal].beyond}, to.separators);
+  if (!drop_hidden(to, io_seen)) return false;
+  on_chain_[portal / 2] = 1;
+  return true;
+}
+
+// Takes what Reach does not reach out of the search that has got to `depth`.
+void PortalFlow::tighten(std::uint32_t portal, std::size_t depth, const FlowBounds& bounds,
+                         std::span<Word> io_seen) {
+  bound_.resize(io_seen.size());
+  reach_.run(portal, bounds, chain_[0].might, bound_);
+  for (std::size_t i = 0; i < bound_.size(); ++i) {
+    io_seen[i] &= bound_[i];
+    for (std::size_t link_depth = 0; link_depth <= depth; ++link_depth)
+      chain_[link_depth].might[i] &= bound_[i];
+  }
+}
+
+bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, const std::atomic<bool>& stop,
+                     std::span<Word> io_seen) {
+  Link& first = link(0);
+  first.portal = portal;
+  first.next = 0;
+  first.source = graph_.portals[portal].winding;
+  first.separators.count = 0;
+  const auto base_row = bounds.base.row(portal);
+  first.might.assign(base_row.begin(), base_row.end());
+  set_bit(io_seen, graph_.portals[portal].to);
+  std::ranges::fill(on_chain_, std::uint8_t{0});
+  on_chain_[portal / 2] = 1;
+  cuts_ = 0;
+  bool is_bounded = false;
+  for (std::size_t depth = 0;;) {
+    if (cuts_ >= kCutsUntilBound && !is_bounded) {
+      tighten(portal, depth, bounds, io_seen);
+      is_bounded = true;
+    } else if (cuts_ >= kCutsUntilEnd) {
+      std::ranges::copy(bound_, io_seen.begin());
+      return true;
+    }
+    Link& last = chain_[depth];
+    const auto ways = graph_.out_of(graph_.portals[last.portal].to);
+    if (last.next == ways.size()) {
+      on_chain_[last.portal / 2] = 0;
+      if (depth-- == 0) return true;
+      continue;
+    }
+    const std::uint32_t way = ways[last.next++];
+    if (extend(depth, way, bounds, io_seen)) ++depth;
+    if (stop.load(std::memory_order_relaxed)) return false;
+  }
+}
+
+}  // namespace temblor::compiler::vis

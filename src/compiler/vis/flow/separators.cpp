@@ -1,0 +1,88 @@
+#include "compiler/vis/flow/separators.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace temblor::compiler::vis {
+
+namespace {
+
+using math::Vec3d;
+
+// As seen along an edge of the first polygon: the polygon a line to the left of the edge, the other's corners
+// somewhere above that line.
+struct Profile {
+  double outwards = 0, up = 0;
+};
+
+class EdgePlanes {
+ public:
+  // `side` is 1 where the other polygon lies in front of this one's plane, -1 behind it.
+  EdgePlanes(PlanarWinding own, const Winding& other, double side)
+      : own_(own.winding), other_(other), normal_(own.plane.normal), side_(side) {
+    for (std::size_t i = 0; i < other.count; ++i) {
+      heights_[i] = side * own.plane.above(other.points[i]);
+      lowest_ = std::min(lowest_, heights_[i]);
+      heights_[i] = std::max(heights_[i], 0.0);
+    }
+  }
+
+  bool apart() const { return lowest_ >= -kEpsilon; }
+
+  // The plane through the edge with own_ outside and all of other_ inside; false when the edge gives none.
+  bool find(std::size_t edge_index, HalfSpace& out_plane) const {
+    const Vec3d& start = own_.points[edge_index];
+    const Vec3d edge = own_.points[edge_index + 1 == own_.count ? 0 : edge_index + 1] - start;
+    const double squared = glm::dot(edge, edge);
+    if (squared < kEpsilon * kEpsilon) return false;
+    const Vec3d outwards = glm::cross(normal_, edge) / std::sqrt(squared);
+    const Profile touched = outermost(outwards, glm::dot(outwards, start));
+    // The plane of the polygon itself separates nothing.
+    if (touched.up == 0) return false;
+    const double distance = std::sqrt(touched.outwards * touched.outwards + touched.up * touched.up);
+    out_plane.normal = outwards * (touched.up / distance) - normal_ * (side_ * touched.outwards / distance);
+    out_plane.distance = glm::dot(out_plane.normal, start);
+    return true;
+  }
+
+ private:
+  // Turned about the edge from the far side, the polygon's own plane meets this corner last. With a corner in
+  // that plane on the polygon's side, it need not turn at all.
+  Profile outermost(const Vec3d& outwards, double start_outwards) const {
+    Profile found;
+    for (std::size_t i = 0; i < other_.count; ++i) {
+      const Profile corner{glm::dot(outwards, other_.points[i]) - start_outwards, heights_[i]};
+      if (corner.up < kEpsilon) {
+        if (corner.outwards <= -kEpsilon) return {};
+        // On the edge's own line, a corner lies in every plane.
+        if (corner.outwards < kEpsilon) continue;
+      }
+      const bool is_first = found.outwards == 0 && found.up == 0;
+      if (is_first || found.outwards * corner.up > found.up * corner.outwards) found = corner;
+    }
+    return found;
+  }
+
+  const Winding& own_;
+  const Winding& other_;
+  const Vec3d& normal_;
+  double side_;
+  double lowest_ = 0;
+  std::array<double, kMaxWindingPoints> heights_;
+};
+
+}  // namespace
+
+void find_separators(PlanarWinding source, PlanarWinding pass, Separators& out_separators) {
+  out_separators.count = 0;
+  const EdgePlanes from_source(source, pass.winding, 1);
+  const EdgePlanes from_pass(pass, source.winding, -1);
+  if (!from_source.apart() || !from_pass.apart()) return;
+  HalfSpace plane;
+  for (std::size_t i = 0; i < source.winding.count; ++i)
+    if (from_source.find(i, plane)) out_separators.planes[out_separators.count++] = plane;
+  for (std::size_t i = 0; i < pass.winding.count; ++i)
+    if (from_pass.find(i, plane)) out_separators.planes[out_separators.count++] = plane.flipped();
+}
+
+}  // namespace temblor::compiler::vis

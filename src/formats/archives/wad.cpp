@@ -1,0 +1,101 @@
+#include "formats/archives/wad.h"
+
+#include <limits>
+
+#include "base/text.h"
+
+namespace temblor::formats {
+namespace {
+
+constexpr std::string_view kWadMagic = "WAD2";
+constexpr std::string_view kMagic3 = "WAD3";
+constexpr std::size_t kWadHeaderBytes = 12;
+constexpr std::size_t kRecordBytes = 32;
+
+base::Result<WadLump> read_record(base::ByteReader& io_reader, base::Bytes wad, std::size_t number) {
+  const std::int32_t offset = io_reader.i32();
+  const std::int32_t stored_size = io_reader.i32();
+  const std::int32_t size = io_reader.i32();
+  const std::uint8_t type = io_reader.u8();
+  const std::uint8_t compression = io_reader.u8();
+  io_reader.take(2);  // padding
+  std::string name = io_reader.fixed_text(kWadNameChars);
+  if (compression != 0)
+    return base::error(base::ErrorCode::kUnsupported, "WAD lump {} \"{}\": compression {} is not supported",
+                       number, base::printable(name), compression);
+  if (stored_size != size)
+    return base::malformed("WAD lump {} \"{}\": {} bytes stored for {}, yet not compressed", number,
+                           base::printable(name), stored_size, size);
+  if (offset < 0 || size < 0 || std::uint64_t(offset) + std::uint64_t(size) > wad.size())
+    return base::malformed("WAD lump {} \"{}\": offset {} and {} bytes lie outside the file ({} bytes)",
+                           number, base::printable(name), offset, size, wad.size());
+  return WadLump{std::move(name), type, wad.subspan(std::size_t(offset), std::size_t(size))};
+}
+
+}  // namespace
+
+base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes) {
+  base::ByteReader reader(bytes);
+  const std::string_view magic = base::as_text(reader.take(kWadMagic.size()));
+  const std::int32_t count = reader.i32();
+  const std::int32_t table_offset = reader.i32();
+  if (!reader.ok())
+    return base::malformed("a WAD's header has {} bytes, this has {}", kWadHeaderBytes, bytes.size());
+  if (magic != kWadMagic && magic != kMagic3)
+    return base::malformed("not a WAD: it starts neither with \"WAD2\" nor with \"WAD3\"");
+  if (count < 0 || table_offset < 0 ||
+      std::uint64_t(table_offset) + std::uint64_t(count) * kRecordBytes > bytes.size())
+    return base::malformed("WAD table: {} lumps at offset {} lie outside the file ({} bytes)", count,
+                           table_offset, bytes.size());
+  reader.seek(std::size_t(table_offset));
+  std::vector<WadLump> lumps;
+  lumps.reserve(std::size_t(count));
+  for (std::size_t i = 0; i < std::size_t(count); ++i) {
+    TRY(WadLump lump, read_record(reader, bytes, i));
+    lumps.push_back(std::move(lump));
+  }
+  return lumps;
+}
+
+bool is_wad3(base::Bytes bytes) {
+  return base::as_text(bytes).starts_with(kMagic3);
+}
+
+base::Result<base::ByteVector> write_wad(std::span<const WadLump> lumps) {
+  std::uint64_t table_offset = kWadHeaderBytes;
+  for (const WadLump& lump : lumps) {
+    if (lump.name.size() > kWadNameChars)
+      return base::error(base::ErrorCode::kTooLarge, "\"{}\": a WAD's names have at most {} characters",
+                         lump.name, kWadNameChars);
+    table_offset += lump.data.size();
+  }
+  if (table_offset + lumps.size() * kRecordBytes > std::numeric_limits<std::int32_t>::max())
+    return base::error(base::ErrorCode::kTooLarge, "{} bytes of lumps do not fit a WAD", table_offset);
+
+  base::ByteWriter writer;
+  writer.bytes(base::as_bytes(kWadMagic));
+  writer.i32(static_cast<std::int32_t>(lumps.size()));
+  writer.i32(static_cast<std::int32_t>(table_offset));
+  for (const WadLump& lump : lumps) writer.bytes(lump.data);
+  std::size_t offset = kWadHeaderBytes;
+  for (const WadLump& lump : lumps) {
+    const auto size = static_cast<std::int32_t>(lump.data.size());
+    writer.i32(static_cast<std::int32_t>(offset));
+    writer.i32(size);
+    writer.i32(size);
+    writer.u8(lump.type);
+    writer.u8(0);  // not compressed
+    writer.u16(0);
+    writer.fixed_text(lump.name, kWadNameChars);
+    offset += lump.data.size();
+  }
+  return std::move(writer).take();
+}
+
+const WadLump* find_lump(std::span<const WadLump> lumps, std::string_view name) {
+  for (const WadLump& lump : lumps)
+    if (base::equal_ignoring_case(lump.name, name)) return &lump;
+  return nullptr;
+}
+
+}  // namespace temblor::formats

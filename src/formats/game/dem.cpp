@@ -1,0 +1,72 @@
+#include "formats/game/dem.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "base/check.h"
+#include "base/text.h"
+
+namespace temblor::formats {
+namespace {
+
+// Longer than any number of 32 bits with its sign and line end.
+constexpr std::size_t kMaxTrackLine = 16;
+
+}  // namespace
+
+base::Result<DemReader> DemReader::open(base::Bytes bytes) {
+  const std::string_view start = base::as_text(bytes).substr(0, kMaxTrackLine);
+  const std::size_t line_end = start.find('\n');
+  if (line_end == std::string_view::npos)
+    return base::malformed("not a recording: its first line, a track number, does not end within {} bytes",
+                           kMaxTrackLine);
+  std::string_view line = start.substr(0, line_end);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  DemReader recording(bytes);
+  const auto [rest, fault] = std::from_chars(line.data(), line.data() + line.size(), recording.forced_track_);
+  if (fault != std::errc{} || rest != line.data() + line.size())
+    return base::malformed("not a recording: its first line is \"{}\", not a track number",
+                           base::printable(line));
+  recording.reader_.seek(line_end + 1);
+  return recording;
+}
+
+base::Result<std::optional<DemMessage>> DemReader::next() {
+  using Message = std::optional<DemMessage>;
+  if (cut_short_ || reader_.remaining() == 0) return Message{};
+  base::ByteReader record = reader_;
+  const std::int32_t length = record.i32();
+  if (record.ok() && (length < 0 || static_cast<std::size_t>(length) > kMaxDemMessage))
+    return base::malformed("message at offset {}: a length of {} bytes, the limit is {}", reader_.offset(),
+                           length, kMaxDemMessage);
+  DemMessage message;
+  for (int axis = 0; axis < 3; ++axis) message.view_angles_deg[axis] = record.f32();
+  message.offset = record.offset();
+  message.message = record.take(static_cast<std::size_t>(length));
+  if (!record.ok()) {
+    cut_short_ = true;
+    return Message{};
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    if (!std::isfinite(message.view_angles_deg[axis]))
+      return base::malformed("message at offset {}: view angle {} is {}", reader_.offset(), axis,
+                             message.view_angles_deg[axis]);
+  reader_ = record;
+  return Message{message};
+}
+
+DemWriter::DemWriter(int forced_track) {
+  writer_.bytes(base::as_bytes(fmt::format("{}\n", forced_track)));
+}
+
+void DemWriter::add(const math::Vec3& view_angles_deg, base::Bytes message) {
+  CHECK(message.size() <= kMaxDemMessage, "{}", message.size());
+  writer_.i32(static_cast<std::int32_t>(message.size()));
+  for (int axis = 0; axis < 3; ++axis) writer_.f32(view_angles_deg[axis]);
+  writer_.bytes(message);
+}
+
+}  // namespace temblor::formats

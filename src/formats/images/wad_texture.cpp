@@ -1,0 +1,68 @@
+#include "formats/images/wad_texture.h"
+
+#include <span>
+
+#include "base/text.h"
+#include "formats/archives/wad.h"
+
+namespace temblor::formats {
+namespace {
+
+constexpr std::size_t kMiptexHeaderBytes = 40;
+
+bool is_miptex_side(std::uint32_t side) {
+  return side >= 1 && side <= kMaxTextureSide;
+}
+
+std::size_t mip_texels(std::uint32_t width, std::uint32_t height, std::size_t level) {
+  return std::size_t{width >> level} * (height >> level);
+}
+
+}  // namespace
+
+base::Result<WadTexture> read_wad_texture(base::Bytes lump) {
+  base::ByteReader reader(lump);
+  WadTexture texture;
+  texture.name = reader.fixed_text(kWadNameChars);
+  texture.width = reader.u32();
+  texture.height = reader.u32();
+  std::array<std::uint32_t, 4> offsets{};
+  for (std::uint32_t& offset : offsets) offset = reader.u32();
+  if (!reader.ok())
+    return base::malformed("a texture's header has {} bytes, this has {}", kMiptexHeaderBytes, lump.size());
+  if (!is_miptex_side(texture.width) || !is_miptex_side(texture.height))
+    return base::malformed("texture \"{}\": {} x {} texels, sides are 1 to {}", base::printable(texture.name),
+                           texture.width, texture.height, kMaxTextureSide);
+  for (std::size_t level = 0; level < offsets.size(); ++level) {
+    const std::size_t texels = mip_texels(texture.width, texture.height, level);
+    if (offsets[level] > lump.size() || texels > lump.size() - offsets[level])
+      return base::malformed("texture \"{}\": mip {} at offset {} with {} texels lies outside it ({} bytes)",
+                             base::printable(texture.name), level, offsets[level], texels, lump.size());
+    const auto mip = base::as_u8(lump.subspan(offsets[level], texels));
+    texture.mips[level].assign(mip.begin(), mip.end());
+  }
+  return texture;
+}
+
+base::Result<base::ByteVector> write_wad_texture(const WadTexture& texture) {
+  if (!is_miptex_side(texture.width) || !is_miptex_side(texture.height))
+    return base::error(base::ErrorCode::kUsage, "texture \"{}\": {} x {} texels, sides are 1 to {}",
+                       texture.name, texture.width, texture.height, kMaxTextureSide);
+  if (texture.name.size() > kWadNameChars)
+    return base::error(base::ErrorCode::kTooLarge, "\"{}\": a texture's name has at most {} characters",
+                       texture.name, kWadNameChars);
+  base::ByteWriter writer;
+  writer.fixed_text(texture.name, kWadNameChars);
+  writer.u32(texture.width);
+  writer.u32(texture.height);
+  std::size_t offset = kMiptexHeaderBytes;
+  for (std::size_t level = 0; level < texture.mips.size(); ++level) {
+    CHECK(texture.mips[level].size() == mip_texels(texture.width, texture.height, level), "mip {}", level);
+    writer.u32(static_cast<std::uint32_t>(offset));
+    offset += texture.mips[level].size();
+  }
+  for (const std::vector<std::uint8_t>& mip : texture.mips) writer.bytes(std::as_bytes(std::span(mip)));
+  return std::move(writer).take();
+}
+
+}  // namespace temblor::formats

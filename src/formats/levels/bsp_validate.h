@@ -1,0 +1,48 @@
+// What every Bsp from read_bsp satisfies, so that nobody checks it again:
+//
+// numbers    finite, coordinates, axes and offsets within +-kBspMaxCoordinate
+// planes     normals of length 1 (to 1 %); type 0-5; types 0-2 have exactly that axis, positive, as normal
+// textures   present: width and height 1..kBspMaxTextureSize, and either all four mip levels of the stated
+//            sizes (the smallest may be empty) or none; not present: all else empty
+// texinfos   name a texture (which may be not present); axes may be zero or parallel
+// edges      name vertices; surfedges name edges, and negating one is safe
+// faces      3..kBspMaxFaceEdges surfedges, each ending at the vertex where the next starts; plane, texinfo
+//            in range; side 0 or 1; light_offset >= -1 (whether the samples lie inside the lighting is up to
+//            who knows the face's extents)
+// leaves      at least one, the first solid; contents kBspLowestContents..-1; marksurfaces in range;
+//            visibility_offset -1 or inside the visibility
+// nodes      plane, faces, children in range
+// clipnodes  plane in range, children clipnodes or contents
+// models     at least one, the world; faces, heads in range; visible_leaves below the number of leaves
+// trees      below a model's head, each node is reached exactly once, and by no other model unless both start
+//            at the same head; clipnodes may be shared, but no path comes back to where it was; no path is
+//            longer than kBspMaxTreeDepth, so that recursion is safe
+// sums       the faces of all nodes, the faces of all models, the marksurfaces of all leaves and the
+//            surfedges of all faces are each together at most as many as the array they point into, so that
+//            visiting all of them takes time in proportion to the file
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "formats/levels/bsp.h"
+
+namespace temblor::formats {
+
+constexpr float kBspMaxCoordinate = 16777216.0f;  // 2^24: sums and products stay finite, integers exact
+constexpr std::uint32_t kBspMaxTextureSize = 16384;
+constexpr std::uint32_t kBspMaxFaceEdges = 512;  // known levels stay below 100
+constexpr std::int32_t kBspLowestContents = -16;
+constexpr std::uint32_t kBspMaxTreeDepth = 2048;  // known levels stay below 200
+
+struct BspFault {
+  BspLump lump;
+  std::optional<std::size_t> record;  // nothing: the lump as a whole
+  std::string reason;
+};
+
+// The first thing that is wrong with a level, or nothing.
+std::optional<BspFault> find_fault(const Bsp& bsp);
+
+}  // namespace temblor::formats

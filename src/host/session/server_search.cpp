@@ -1,0 +1,54 @@
+#include "host/session/server_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "net/transport/control.h"
+
+namespace temblor::host {
+namespace {
+
+constexpr double kListen_s = 5;
+
+}  // namespace
+
+base::Status ServerSearch::begin(double now_s) {
+  found_.clear();
+  if (!services_.open_socket) return base::error(base::ErrorCode::kUsage, "there is no network to search");
+  TRY(socket_, services_.open_socket(0));
+  TRY(const base::ByteVector question, net::write_control_packet(net::ServerInfoRequest{}));
+  // Everybody of the local network, and this machine, which a broadcast need not reach.
+  socket_->send(platform::ip4_address({255, 255, 255, 255}, kStockPort), question);
+  socket_->send(platform::ip4_address({127, 0, 0, 1}, kStockPort), question);
+  asked_s_ = now_s;
+  return base::Ok{};
+}
+
+bool ServerSearch::update(double now_s) {
+  if (!socket_) return false;
+  bool has_changed = false;
+  while (const std::optional<platform::Datagram> datagram = socket_->receive()) {
+    const base::Result<net::ControlPacket> packet = net::read_control_packet(datagram->bytes);
+    if (!packet.ok()) continue;
+    const auto* const reply = std::get_if<net::ServerInfoReply>(&*packet);
+    const std::string address = platform::to_text(datagram->from);
+    const auto is_known = [&](const client::MenuServer& server) {
+      return server.address == address ||
+             (reply != nullptr && server.name == reply->host_name && server.level == reply->map);
+    };
+    if (reply == nullptr || found_.size() >= kMaxServers ||
+        std::any_of(found_.begin(), found_.end(), is_known))
+      continue;
+    found_.push_back({.address = address,
+                      .name = std::string(reply->host_name),
+                      .level = std::string(reply->map),
+                      .players = reply->players,
+                      .max_players = reply->max_players,
+                      .ping_ms = static_cast<int>(std::lround((now_s - asked_s_) * 1000))});
+    has_changed = true;
+  }
+  if (now_s - asked_s_ > kListen_s) socket_.reset();
+  return has_changed;
+}
+
+}  // namespace temblor::host

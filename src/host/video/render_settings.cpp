@@ -1,0 +1,90 @@
+#include "host/video/render_settings.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <thread>
+
+namespace temblor::host {
+namespace {
+
+// Names in the order of the enumerations; the first one is the default.
+constexpr std::array<std::string_view, 2> kJobBackends = {"onetbb", "stdthread"};
+constexpr std::array<std::string_view, 2> kMipRules = {"footprint", "stock"};
+constexpr std::array<render::MipRule, 2> kMipRuleValues = {render::MipRule::kFootprint,
+                                                           render::MipRule::kStock};
+constexpr std::array<std::string_view, 2> kPerspectives = {"exact", "every16"};
+constexpr std::array<std::string_view, 9> kShows = {"picture", "faces", "edges",    "spans", "surfaces",
+                                                    "mips",    "pvs",   "overdraw", "depth"};
+
+constexpr std::array<std::string_view, 3> kAliasRasters = {"auto", "affine", "subdivision"};
+
+constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
+
+}  // namespace
+
+RenderSettings::RenderSettings(command::Variables& variables) {
+  const render::Settings defaults;
+  threads_ = variables.add_int("r_threads", 0, 0, 256, "Threads that draw a frame; 0: one for each core.");
+  job_backend_ = variables.add_choice("r_job_backend", kJobBackends, "What runs the threads' work.");
+  mip_rule_ = variables.add_choice("r_mip_rule", kMipRules,
+                                   "How a surface's mip level is chosen: from the pixels that a texel really "
+                                   "covers, or by the thresholds of the original.");
+  force_mip_ = variables.add_int("r_mip_force", defaults.force_mip, -1, 3,
+                                 "Draws every surface at this mip level; -1: each at its own.");
+  perspective_ = variables.add_choice("r_perspective", kPerspectives,
+                                      "Perspective of textures: exact at every pixel, or a division every 16 "
+                                      "pixels and straight lines between, as the original.");
+  vector_kernels_ = variables.add_bool("r_simd", defaults.vector_kernels,
+                                       "Uses the processor's vector instructions; 0: the plain twins.");
+  prefetch_ = variables.add_bool("r_prefetch", defaults.prefetch,
+                                 "Asks for a surface's texels before it is drawn from.");
+  surface_cache_ = variables.add_bool("r_surface_cache", defaults.surface_cache,
+                                      "Keeps lit surfaces from frame to frame; 0: builds all anew.");
+  cache_mb_ = variables.add_float("r_cache_mb", static_cast<double>(defaults.cache_bytes) / kBytesPerMebibyte,
+                                  0, 65536, "Memory for kept surfaces, in MiB.");
+  use_pvs_ = variables.add_bool("r_use_pvs", defaults.use_pvs,
+                                "Skips what the level's potentially visible set rules out.");
+  fill_depth_ = variables.add_bool("r_fill_depth", defaults.fill_depth,
+                                   "Fills 1/z for every pixel; 0 only to measure what that costs.");
+  colored_light_ = variables.add_bool("r_colored_light", defaults.colored_light,
+                                      "Uses colored light (rgb only) where the level has it.");
+  relight_alternate_ = variables.add_bool("r_relight_alternate", defaults.relight_alternate,
+                                          "Relights half of the faces in each frame where light changes.");
+  band_rows_ = variables.add_int("r_band_rows", defaults.band_rows, 0, 8192,
+                                 "Scan lines in one piece of threaded work; 0: chosen from the size.");
+  alias_raster_ =
+      variables.add_choice("r_alias_raster", kAliasRasters,
+                           "How the triangles of models are filled: scan line by scan line, by "
+                           "recursive subdivision, or each model by the one that suits its size.");
+  alias_snap_ = variables.add_bool("r_alias_snap", defaults.alias_snap,
+                                   "Moves vertices of models to whole pixels and leaves their textures "
+                                   "without perspective, as the original.");
+  show_ = variables.add_choice("r_show", kShows, "Draws how the picture was made instead of the picture.");
+}
+
+render::Settings RenderSettings::read(const command::Variables& variables) const {
+  render::Settings settings;
+  const auto threads = static_cast<int>(variables.int_value(threads_));
+  settings.threads =
+      threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  settings.job_backend = static_cast<base::JobBackend>(variables.choice_value(job_backend_));
+  settings.mip_rule = kMipRuleValues[variables.choice_value(mip_rule_)];
+  settings.force_mip = static_cast<int>(variables.int_value(force_mip_));
+  settings.perspective = static_cast<render::Perspective>(variables.choice_value(perspective_));
+  settings.vector_kernels = variables.bool_value(vector_kernels_);
+  settings.prefetch = variables.bool_value(prefetch_);
+  settings.surface_cache = variables.bool_value(surface_cache_);
+  settings.cache_bytes = static_cast<std::size_t>(variables.float_value(cache_mb_) * kBytesPerMebibyte);
+  settings.use_pvs = variables.bool_value(use_pvs_);
+  settings.fill_depth = variables.bool_value(fill_depth_);
+  settings.colored_light = variables.bool_value(colored_light_);
+  settings.relight_alternate = variables.bool_value(relight_alternate_);
+  settings.band_rows = static_cast<int>(variables.int_value(band_rows_));
+  settings.alias_raster = static_cast<render::AliasRaster>(variables.choice_value(alias_raster_));
+  settings.alias_snap = variables.bool_value(alias_snap_);
+  settings.show = static_cast<render::Show>(variables.choice_value(show_));
+  return settings;
+}
+
+}  // namespace temblor::host

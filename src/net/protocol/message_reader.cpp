@@ -1,0 +1,168 @@
+#include "net/protocol/message_reader.h"
+
+#include <string>
+
+#include "net/wire/baseline.h"
+#include "net/wire/client_data.h"
+#include "net/wire/entity_update.h"
+#include "net/wire/field_reader.h"
+#include "net/wire/message_id.h"
+#include "net/wire/particles.h"
+#include "net/wire/server_info.h"
+#include "net/wire/sound.h"
+#include "net/wire/temp_entity.h"
+
+namespace temblor::net {
+namespace {
+
+ServerMessage refuse_id(MessageId id, FieldReader& io_fields) {
+  if (name_of(id) != nullptr)
+    io_fields.refuse(base::ErrorCode::kUnsupported,
+                     "a message of the 2021 re-release whose length is not known");
+  else
+    io_fields.refuse(base::ErrorCode::kUnsupported, "no such message is known");
+  return Nop{};
+}
+
+// These two not as temporaries in one line: g++ 12 takes the padding of those for uninitialized values.
+LightStyle read_light_style(FieldReader& io_fields) {
+  LightStyle style;
+  style.style = io_fields.u8();
+  style.pattern = io_fields.text("the pattern");
+  return style;
+}
+
+UpdateName read_update_name(FieldReader& io_fields) {
+  UpdateName update;
+  update.client = io_fields.u8();
+  update.name = io_fields.text("the name");
+  return update;
+}
+
+// Everything but ServerInfo.
+ServerMessage read_body(MessageId id, FieldReader& io_fields) {
+  FieldReader& f = io_fields;
+  switch (id) {
+    case MessageId::kNop:
+      return Nop{};
+    case MessageId::kDisconnect:
+      return Disconnect{};
+    case MessageId::kUpdateStat:
+      return UpdateStat{f.u8(), f.i32()};
+    case MessageId::kVersion:
+      return Version{f.i32()};
+    case MessageId::kSetView:
+      return SetView{f.entity()};
+    case MessageId::kSound:
+      return read_sound(f);
+    case MessageId::kTime:
+      return Time{f.finite("the time")};
+    case MessageId::kPrint:
+      return Print{f.text("the text")};
+    case MessageId::kStuffText:
+      return StuffText{f.text("the text")};
+    case MessageId::kSetAngle:
+      return SetAngle{f.angles_deg()};
+    case MessageId::kLightStyle:
+      return read_light_style(f);
+    case MessageId::kUpdateName:
+      return read_update_name(f);
+    case MessageId::kUpdateFrags:
+      return UpdateFrags{f.u8(), f.i16()};
+    case MessageId::kClientData:
+      return read_client_data(f);
+    case MessageId::kStopSound:
+      return read_stop_sound(f);
+    case MessageId::kUpdateColors:
+      return UpdateColors{f.u8(), f.u8()};
+    case MessageId::kParticles:
+      return read_particles(f);
+    case MessageId::kDamage:
+      return Damage{f.u8(), f.u8(), f.coords()};
+    case MessageId::kSpawnStatic:
+      return SpawnStatic{read_baseline(f)};
+    case MessageId::kSpawnBaseline:
+      return SpawnBaseline{f.entity(), read_baseline(f)};
+    case MessageId::kTempEntity:
+      return read_temp_entity(f);
+    case MessageId::kSetPause:
+      return SetPause{f.u8() != 0};
+    case MessageId::kSignonNumber:
+      return SignonNumber{f.u8()};
+    case MessageId::kCenterPrint:
+      return CenterPrint{f.text("the text")};
+    case MessageId::kKilledMonster:
+      return KilledMonster{};
+    case MessageId::kFoundSecret:
+      return FoundSecret{};
+    case MessageId::kSpawnStaticSound:
+      return read_static_sound(false, f);
+    case MessageId::kIntermission:
+      return Intermission{};
+    case MessageId::kFinale:
+      return Finale{f.text("the text")};
+    case MessageId::kCdTrack:
+      return CdTrack{f.u8(), f.u8()};
+    case MessageId::kSellScreen:
+      return SellScreen{};
+    case MessageId::kCutScene:
+      return CutScene{f.text("the text")};
+    case MessageId::kSkybox:
+      return Skybox{f.text("the name")};
+    case MessageId::kBonusFlash:
+      return BonusFlash{};
+    case MessageId::kFog:
+      return read_fog(f);
+    case MessageId::kSpawnBaseline2:
+      return SpawnBaseline{f.entity(), read_baseline2(f)};
+    case MessageId::kSpawnStatic2:
+      return SpawnStatic{read_baseline2(f)};
+    case MessageId::kSpawnStaticSound2:
+      return read_static_sound(true, f);
+    case MessageId::kAchievement:
+      f.text("the achievement's name");
+      return Ignored{static_cast<std::uint8_t>(id)};
+    case MessageId::kLocalSound:
+      skip_local_sound(f);
+      return Ignored{static_cast<std::uint8_t>(id)};
+    case MessageId::kServerInfo:
+    case MessageId::kEntityUpdate:
+      break;
+  }
+  const auto number = static_cast<std::uint8_t>(id);
+  return id >= MessageId::kEntityUpdate ? ServerMessage(read_entity_update(number, f)) : refuse_id(id, f);
+}
+
+// `have`: bytes from the message's first to the last there is.
+base::Error error_of(const FieldReader& fields, std::uint8_t id, std::size_t offset, std::size_t have) {
+  const char* name = name_of(MessageId{id});
+  const std::string place =
+      fmt::format("offset {}: {}", offset, name != nullptr ? name : fmt::format("message {}", id));
+  if (fields.refusal()) return base::error(fields.refusal()->code, "{}: {}", place, fields.refusal()->what);
+  return base::malformed("{}: message ends after {} of {} bytes", place, have, 1 + fields.bytes_wanted());
+}
+
+}  // namespace
+
+void MessageReader::begin(base::Bytes bytes, std::size_t offset_in_file) {
+  reader_ = base::ByteReader(bytes);
+  offset_in_file_ = offset_in_file;
+}
+
+base::Result<std::optional<ServerMessage>> MessageReader::next() {
+  const std::size_t start = reader_.offset(), have = reader_.remaining();
+  if (have == 0) return std::optional<ServerMessage>{};
+  const std::uint8_t id = reader_.u8();
+  FieldReader fields(reader_, dialect_);
+  const bool is_server_info = MessageId{id} == MessageId::kServerInfo;
+  const ServerMessage message =
+      is_server_info ? read_server_info(fields, models_, sounds_) : read_body(MessageId{id}, fields);
+  if (!fields.ok()) {
+    reader_ = base::ByteReader({});
+    return error_of(fields, id, offset_in_file_ + start, have);
+  }
+  if (is_server_info) dialect_ = std::get<ServerInfo>(message).dialect;
+  return std::optional<ServerMessage>(message);
+}
+
+}  // namespace temblor::net

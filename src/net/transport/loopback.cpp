@@ -1,0 +1,80 @@
+#include "net/transport/loopback.h"
+
+#include <deque>
+#include <map>
+#include <utility>
+
+#include "base/check.h"
+
+namespace temblor::net {
+namespace {
+
+struct Waiting {
+  platform::Address from;
+  base::ByteVector bytes;
+};
+struct Inbox {
+  std::deque<Waiting> waiting;
+  std::size_t bytes = 0;
+};
+
+// With what holding a datagram takes, so that empty ones do not wait without limit either.
+std::size_t cost_of(base::Bytes bytes) {
+  return sizeof(Waiting) + bytes.size();
+}
+
+}  // namespace
+
+struct LoopbackNetwork::Sockets {
+  std::map<std::uint16_t, Inbox> inboxes;
+};
+
+namespace {
+
+class LoopbackSocket final : public platform::DatagramSocket {
+ public:
+  LoopbackSocket(std::shared_ptr<LoopbackNetwork::Sockets> sockets, std::uint16_t port)
+      : sockets_(std::move(sockets)), port_(port) {}
+  LoopbackSocket(const LoopbackSocket&) = delete;
+  LoopbackSocket& operator=(const LoopbackSocket&) = delete;
+  ~LoopbackSocket() override { sockets_->inboxes.erase(port_); }
+
+  void send(const platform::Address& to, base::Bytes bytes) override {
+    const auto found = sockets_->inboxes.find(to.port);
+    if (!to.is_local() || found == sockets_->inboxes.end()) return;
+    Inbox& inbox = found->second;
+    if (inbox.bytes + cost_of(bytes) > kLoopbackBufferBytes) return;
+    inbox.bytes += cost_of(bytes);
+    inbox.waiting.push_back({local_address(), {bytes.begin(), bytes.end()}});
+  }
+
+  std::optional<platform::Datagram> receive() override {
+    Inbox& inbox = sockets_->inboxes.at(port_);
+    if (inbox.waiting.empty()) return std::nullopt;
+    received_ = std::move(inbox.waiting.front());
+    inbox.waiting.pop_front();
+    inbox.bytes -= cost_of(received_.bytes);
+    return platform::Datagram{received_.from, received_.bytes};
+  }
+
+  platform::Address local_address() const override { return {{}, port_, 0}; }
+
+ private:
+  std::shared_ptr<LoopbackNetwork::Sockets> sockets_;
+  std::uint16_t port_;
+  Waiting received_;
+};
+
+}  // namespace
+
+LoopbackNetwork::LoopbackNetwork() : sockets_(std::make_shared<Sockets>()) {}
+
+std::unique_ptr<platform::DatagramSocket> LoopbackNetwork::open(std::uint16_t port) {
+  const bool any = port == 0;
+  if (any) port = 1;
+  while (any && sockets_->inboxes.contains(port)) ++port;
+  CHECK(sockets_->inboxes.try_emplace(port).second, "port {} is taken", port);
+  return std::make_unique<LoopbackSocket>(sockets_, port);
+}
+
+}  // namespace temblor::net

@@ -1,0 +1,103 @@
+#include "render/alias/prepare_alias.h"
+
+#include <algorithm>
+
+#include "render/alias/clip_triangles.h"
+#include "render/alias/light_alias.h"
+
+namespace temblor::render {
+
+namespace {
+
+// Rounded to whole pixels, as the original, models jump from pixel to pixel as they move.
+std::int32_t steps_a_pixel(const Settings& settings) {
+  return settings.alias_snap ? 1 : kSubpixels;
+}
+
+VertexJob vertex_job(const ViewFrame& view, const AliasPlacement& placement, std::int32_t steps,
+                     const LightOfNormals& lights) {
+  const AliasInstance& instance = *placement.instance;
+  const AliasModel& model = *instance.model;
+  const PoseBytes from = model.pose(instance.from_pose), to = model.pose(instance.to_pose);
+  VertexJob job{};
+  const auto set = [](const PoseBytes& pose, const std::uint8_t*(&out)[4]) {
+    out[0] = pose.x;
+    out[1] = pose.y;
+    out[2] = pose.z;
+    out[3] = pose.normals;
+  };
+  set(from, job.from);
+  set(to, job.to);
+  job.blend = instance.blend > 0 ? std::min(instance.blend, 1.0f) : 0.0f;
+  job.count = model.vertices_a_row;
+  std::copy_n(&placement.to_view[0][0], 12, &job.to_view[0][0]);
+  job.center_x = static_cast<float>(view.center_x);
+  job.center_y = static_cast<float>(view.center_y);
+  job.pixels_per_unit = placement.pixels_per_unit;
+  job.perspective = placement.perspective;
+  job.near_z = placement.near_z;
+  job.depth_scale = placement.depth_scale;
+  job.steps_a_pixel = steps;
+  job.lights = lights.data();
+  return job;
+}
+
+// Vertices have to lie within the picture; those of a model whose box does are.
+bool chooses_subdivision(const Settings& settings, const AliasPlacement& placement) {
+  if (!placement.inside_screen || settings.alias_raster == AliasRaster::kAffine) return false;
+  if (settings.alias_raster == AliasRaster::kSubdivision) return true;
+  const double units = double{placement.instance->model->mean_side} * placement.instance->scale;
+  return units * placement.largest_pixels_per_unit < kSubdivisionSidePx;
+}
+
+}  // namespace
+
+PreparedAlias prepare_alias(const Scene& scene, const Settings& settings, const ViewFrame& view,
+                            const AliasPlacement& placement, const ColorTables& tables, PixelFormat format,
+                            base::Arena& arena) {
+  const AliasInstance& instance = *placement.instance;
+  const AliasModel& model = *instance.model;
+  const AliasLight light = light_alias(scene, instance, format, settings.colored_light);
+  const LightOfNormals lights = light_normals(light, placement, format);
+
+  VertexJob vertices = vertex_job(view, placement, steps_a_pixel(settings), lights);
+  const std::span<ScreenVertex> projected = arena.allocate<ScreenVertex>(model.vertices_a_row);
+  vertices.out = projected.data();
+  ProjectedMesh mesh{projected.first(model.vertex_count), {}, model.texels, model.triangles};
+  if (placement.needs_clipping)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::span<float> view_axis = arena.allocate<float>(model.vertices_a_row);
+      vertices.view[axis] = view_axis.data();
+      mesh.view[axis] = view_axis;
+    }
+  settings.vector_kernels ? project_vertices_simd(vertices) : project_vertices_scalar(vertices);
+
+  ClippedMesh drawn{mesh.vertices, mesh.texels, mesh.triangles};
+  if (placement.needs_clipping) drawn = clip_triangles(view, placement, mesh, steps_a_pixel(settings), arena);
+
+  PreparedAlias prepared{};
+  prepared.first_row = placement.first_row;
+  prepared.row_end = placement.row_end;
+  prepared.by_subdivision = chooses_subdivision(settings, placement);
+  TriangleJob& job = prepared.job;
+  job.vertices = drawn.vertices.data();
+  job.texels = drawn.texels.data();
+  job.triangles = drawn.triangles.empty() ? nullptr : drawn.triangles.front().data();
+  job.vertex_count = drawn.vertices.size();
+  job.triangle_count = drawn.triangles.size();
+  job.skin = model.skin_picture(instance.skin);
+  job.skin_width = static_cast<std::int32_t>(model.skin_width);
+  job.skin_height = static_cast<std::int32_t>(model.skin_height);
+  job.colors = instance_colors(tables, instance, format, arena);
+  for (int channel = 0; channel < 3; ++channel)
+    job.tint[channel] = static_cast<std::int32_t>(light.color[channel] * 32768.0f + 0.5f);
+  job.perspective = placement.perspective && !settings.alias_snap;
+  if (settings.vector_kernels && !prepared.by_subdivision) {
+    const std::span<FrontTriangle> fronts = arena.allocate<FrontTriangle>(job.triangle_count);
+    job.front_count = find_front_triangles(job, fronts.data());
+    job.fronts = fronts.data();
+  }
+  return prepared;
+}
+
+}  // namespace temblor::render

@@ -1,0 +1,73 @@
+#include "render/color/blend_tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace temblor::render {
+
+namespace {
+
+constexpr std::size_t kTableSize = 256 * 256;
+constexpr std::size_t kClear = 255;
+
+}  // namespace
+
+// A palette may be full-bright throughout: then anything goes.
+PaletteMatch::PaletteMatch(const formats::Palette& palette, int first_fullbright)
+    : first_fullbright_(first_fullbright),
+      lit_(palette, 0,
+           first_fullbright > 0 ? std::min(static_cast<std::size_t>(first_fullbright), kClear) : kClear),
+      any_(palette, 0, kClear) {}
+
+BlendTables::Tables::Tables(const formats::Palette& of_palette, const PaletteMatch& of_match)
+    : palette(of_palette),
+      match(of_match),
+      bytes(std::make_unique_for_overwrite<std::uint8_t[]>((kSteps - 1) * kTableSize)) {}
+
+// What a lies over b at n sixteenths is what b lies over a at 16 - n: one table is the other, mirrored.
+void BlendTables::Tables::make_pair(int step) {
+  std::uint8_t* const table = bytes.get() + static_cast<std::size_t>(step - 1) * kTableSize;
+  std::uint8_t* const mirror = bytes.get() + static_cast<std::size_t>(kSteps - step - 1) * kTableSize;
+  for (std::size_t over = 0; over < 256; ++over)
+    for (std::size_t under = 0; under < 256; ++under) {
+      const bool fullbright = match.is_fullbright(over) || match.is_fullbright(under);
+      const formats::Rgb mean = blend_colors(palette[over], palette[under], step * (kOpaque256 / kSteps));
+      table[over * 256 + under] = mirror[under * 256 + over] = match(mean, fullbright);
+    }
+}
+
+BlendTables::BlendTables(const formats::Palette& palette, const PaletteMatch& match)
+    : tables_(std::make_unique<Tables>(palette, match)) {}
+
+const std::uint8_t* BlendTables::table_for(float opacity) const {
+  const int nearest = (opacity_256(opacity) + kOpaque256 / kSteps / 2) / (kOpaque256 / kSteps);
+  const int step = std::clamp(nearest, 1, kSteps - 1);
+  const int pair = std::min(step, kSteps - step);
+  std::call_once(tables_->pair_is_made[static_cast<std::size_t>(pair - 1)],
+                 [&] { tables_->make_pair(pair); });
+  return tables_->bytes.get() + static_cast<std::size_t>(step - 1) * kTableSize;
+}
+
+const std::uint8_t* FogTables::rows_for(const math::Vec3& color, const formats::Palette& palette,
+                                        const PaletteMatch& match) {
+  const formats::Rgb fog = to_bytes(color);
+  if (color_ == fog) return rows_.data();
+  color_ = fog;
+  for (int row = 0; row < kRows; ++row)
+    for (std::size_t index = 0; index < 256; ++index)
+      rows_[static_cast<std::size_t>(row) * 256 + index] =
+          row == 0 || index == kClear
+              ? static_cast<std::uint8_t>(index)
+              : match(blend_colors(fog, palette[index], row * kOpaque256 / (kRows - 1)),
+                      match.is_fullbright(index));
+  return rows_.data();
+}
+
+formats::Rgb to_bytes(const math::Vec3& color) {
+  const auto channel = [](float value) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
+  };
+  return {channel(color.r), channel(color.g), channel(color.b)};
+}
+
+}  // namespace temblor::render

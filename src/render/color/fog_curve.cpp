@@ -1,0 +1,59 @@
+#include "render/color/fog_curve.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+namespace temblor::render {
+
+namespace {
+
+constexpr std::size_t kTerms = 4;
+using Polynomial = std::array<double, kTerms>;  // coefficients, that of x^0 first
+
+double rounded_share_256(double nearness) {
+  return 256 * -std::expm1(-1 / (nearness * nearness)) + 0.5;
+}
+
+// Through the curve at the Chebyshev nodes of the interval (Newton's divided differences).
+Polynomial cubic_between(double low, double high) {
+  std::array<double, kTerms> x{}, difference{};
+  for (std::size_t i = 0; i < kTerms; ++i) {
+    const double node = std::cos((2.0 * static_cast<double>(i) + 1) * std::numbers::pi / (2.0 * kTerms));
+    x[i] = (low + high) / 2 + (high - low) / 2 * node;
+    difference[i] = rounded_share_256(x[i]);
+  }
+  for (std::size_t order = 1; order < kTerms; ++order)
+    for (std::size_t i = kTerms - 1; i >= order; --i)
+      difference[i] = (difference[i] - difference[i - 1]) / (x[i] - x[i - order]);
+  Polynomial sum{};
+  for (std::size_t i = kTerms; i-- > 0;) {  // sum * (x - x[i]) + difference[i]
+    for (std::size_t power = kTerms - 1; power > 0; --power) sum[power] = sum[power - 1] - x[i] * sum[power];
+    sum[0] = difference[i] - x[i] * sum[0];
+  }
+  return sum;
+}
+
+}  // namespace
+
+FogCurve make_fog_curve() {
+  FogCurve curve{};
+  for (int step = 1; step <= kFogSteps; ++step)
+    curve.step_ends[step] = static_cast<float>(1 / std::sqrt(-std::log1p(-(step - 0.5) / kFogSteps)));
+  curve.step_ends[0] = std::numeric_limits<float>::infinity();
+  curve.step_ends[kFogSteps + 1] = -std::numeric_limits<float>::infinity();
+  for (float low = kMinNearness; low < kMaxNearness; low *= 2)
+    for (const double part : {1.0, 1.5}) {
+      const double from = part * static_cast<double>(low);
+      const Polynomial cubic = cubic_between(from, part == 1.0 ? 1.5 * from : from / 0.75);
+      const std::uint32_t piece = std::bit_cast<std::uint32_t>(static_cast<float>(from)) >> 22 & 15;
+      for (std::size_t power = 0; power < kTerms; ++power)
+        curve.cubic[power][piece] = static_cast<float>(cubic[power]);
+    }
+  return curve;
+}
+
+}  // namespace temblor::render

@@ -1,0 +1,250 @@
+// Hot loop. The vector twins of fog_kernels_plain.cpp, compiled once for each instruction set.
+#include "render/color/fog_kernels.h"
+
+// Processors that look bytes up in tables of 128 (AVX-512 VBMI) are worth a target of their own here.
+#define HWY_WANT_AVX3_DL 1
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/color/fog_kernels_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace temblor::render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET == HWY_AVX3_DL
+
+// The depths of 64 pixels; those beyond the row's end are left out of every mask.
+struct Depths {
+  __m512 quarter[4];
+
+  HWY_INLINE Depths(const float* depths, __mmask64 inside) {
+    for (int i = 0; i < 4; ++i)
+      quarter[i] = _mm512_maskz_loadu_ps(static_cast<__mmask16>(inside >> (16 * i)), depths + 16 * i);
+  }
+  template <int kPredicate>
+  HWY_INLINE __mmask64 Compare(float bound) const {
+    const __m512 bounds = _mm512_set1_ps(bound);
+    return Joined(_mm512_cmp_ps_mask(quarter[0], bounds, kPredicate),
+                  _mm512_cmp_ps_mask(quarter[1], bounds, kPredicate),
+                  _mm512_cmp_ps_mask(quarter[2], bounds, kPredicate),
+                  _mm512_cmp_ps_mask(quarter[3], bounds, kPredicate));
+  }
+  HWY_INLINE __mmask64 Within(float end, float next_end) const {
+    return Compare<_CMP_LT_OQ>(end) & Compare<_CMP_NLT_UQ>(next_end);
+  }
+  // Those that lie exactly on sky + i * step, pixel 0 being number `first` of the row.
+  HWY_INLINE __mmask64 OnPlane(float sky, float step, int first) const {
+    __mmask16 equal[4];
+    for (int i = 0; i < 4; ++i) {
+      const __m512i number =
+          _mm512_add_epi32(_mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15),
+                           _mm512_set1_epi32(first + 16 * i));
+      const __m512 plane =
+          _mm512_add_ps(_mm512_set1_ps(sky), _mm512_mul_ps(_mm512_cvtepi32_ps(number), _mm512_set1_ps(step)));
+      equal[i] = _mm512_cmp_ps_mask(quarter[i], plane, _CMP_EQ_OQ);
+    }
+    return Joined(equal[0], equal[1], equal[2], equal[3]);
+  }
+  // The largest of those in the mask.
+  HWY_INLINE float Nearest(__mmask64 among) const {
+    const __m512 none = _mm512_set1_ps(-__builtin_inff());
+    __m512 most = none;
+    for (int i = 0; i < 4; ++i)
+      most = _mm512_max_ps(most,
+                           _mm512_mask_blend_ps(static_cast<__mmask16>(among >> (16 * i)), none, quarter[i]));
+    return _mm512_reduce_max_ps(most);
+  }
+
+ private:
+  static HWY_INLINE __mmask64 Joined(__mmask16 a, __mmask16 b, __mmask16 c, __mmask16 d) {
+    return _mm512_kunpackd(_mm512_kunpackw(d, c), _mm512_kunpackw(b, a));
+  }
+};
+
+HWY_INLINE __m512i LookUp(const uint8_t* table, __m512i indices) {
+  const __m512i lower =
+      _mm512_permutex2var_epi8(_mm512_loadu_si512(table), indices, _mm512_loadu_si512(table + 64));
+  const __m512i upper =
+      _mm512_permutex2var_epi8(_mm512_loadu_si512(table + 128), indices, _mm512_loadu_si512(table + 192));
+  return _mm512_mask_blend_epi8(_mm512_movepi8_mask(indices), lower, upper);
+}
+
+// 64 pixels at a time. As a rule they share one step of fog, that of the pixels before them; where they do
+// not, each step that is among them has its turn.
+void FogRowU8(const FogRow& row) {
+  auto* const pixels = static_cast<uint8_t*>(row.pixels);
+  const float* const ends = row.step_end_depths;
+  int step = 0;
+  for (int first = 0; first < row.count; first += 64) {
+    const int left = row.count - first;
+    const __mmask64 inside = left >= 64 ? ~__mmask64{0} : (__mmask64{1} << left) - 1;
+    const Depths depths(row.depth + first, inside);
+    const __m512i under = _mm512_maskz_loadu_epi8(inside, pixels + first);
+    __mmask64 remaining = inside;
+    __m512i fogged = under;
+    if (row.has_sky) {
+      const __mmask64 sky = depths.OnPlane(row.sky, row.sky_step, first);
+      fogged = LookUp(row.rows + row.sky_share * kFogSteps / 256 * 256, under);
+      remaining &= ~sky;
+    }
+    __mmask64 of_step = remaining & depths.Within(ends[step], ends[step + 1]);
+    for (;;) {
+      fogged = _mm512_mask_mov_epi8(fogged, of_step, LookUp(row.rows + step * 256, under));
+      remaining &= ~of_step;
+      if (remaining == 0) break;
+      // Mostly its neighbor.
+      const bool is_farther = (remaining & depths.Compare<_CMP_LT_OQ>(ends[step + 1])) != 0;
+      step = is_farther ? step + 1 : HWY_MAX(step - 1, 0);
+      of_step = remaining & depths.Within(ends[step], ends[step + 1]);
+      if (of_step != 0) continue;
+      step = fog_step_at(ends, depths.Nearest(remaining));
+      of_step = remaining & depths.Compare<_CMP_NLT_UQ>(ends[step + 1]);
+    }
+    _mm512_mask_storeu_epi8(pixels + first, inside, fogged);
+  }
+}
+
+#else
+
+// Without such look-ups there is nothing to gain over one pixel after another.
+void FogRowU8(const FogRow& row) {
+  fog_row_u8_scalar(row);
+}
+
+#endif
+
+#if HWY_TARGET == HWY_SCALAR
+
+void FogRowU32(const FogRow& row) {
+  fog_row_u32_scalar(row);
+}
+
+#else
+
+using DF = hn::CappedTag<float, 16>;
+using DI = hn::Rebind<int32_t, DF>;
+using DU = hn::RebindToUnsigned<DI>;
+using D16 = hn::Repartition<uint16_t, DU>;
+
+// table[pieces], of 16 entries.
+HWY_INLINE hn::Vec<DF> PieceOf(const float* table, hn::Vec<DI> pieces) {
+  const DF d;
+#if HWY_TARGET <= HWY_AVX3
+  return hn::TableLookupLanes(hn::LoadU(d, table), hn::IndicesFromVec(d, pieces));
+#elif HWY_TARGET <= HWY_AVX2
+  const auto indices = hn::IndicesFromVec(d, hn::And(pieces, hn::Set(DI(), 7)));
+  const auto low = hn::TableLookupLanes(hn::LoadU(d, table), indices);
+  const auto high = hn::TableLookupLanes(hn::LoadU(d, table + 8), indices);
+  return hn::IfThenElse(hn::RebindMask(d, hn::Gt(pieces, hn::Set(DI(), 7))), high, low);
+#else
+  return hn::GatherIndex(d, table, pieces);
+#endif
+}
+
+// The curve's polynomial at x. Neighbors nearly always lie on one piece of it, whose coefficients are the
+// same for all lanes.
+HWY_INLINE hn::Vec<DF> CurveAt(const FogCurve& curve, hn::Vec<DF> x) {
+  const DF d;
+  const DI di;
+  const auto pieces = hn::And(hn::ShiftRight<22>(hn::BitCast(di, x)), hn::Set(di, kFogPieces - 1));
+  const int piece = hn::GetLane(pieces);
+  if (HWY_LIKELY(hn::AllTrue(di, hn::Eq(pieces, hn::Set(di, piece))))) {
+    auto share = hn::Set(d, curve.cubic[3][piece]);
+    for (int power = 2; power >= 0; --power)
+      share = hn::Add(hn::Mul(share, x), hn::Set(d, curve.cubic[power][piece]));
+    return share;
+  }
+  auto share = PieceOf(curve.cubic[3], pieces);
+  for (int power = 2; power >= 0; --power)
+    share = hn::Add(hn::Mul(share, x), PieceOf(curve.cubic[power], pieces));
+  return share;
+}
+
+// In 256ths, of the depths from pixel i of the row on.
+template <bool kPerspective, bool kHasSky>
+HWY_INLINE hn::Vec<DI> Share256(const FogRow& row, int i, const float* depths) {
+  const DF d;
+  const DI di;
+  const auto depth = hn::LoadU(d, depths);
+  const auto rate = hn::Set(d, row.inverse_rate);
+  auto x =
+      kPerspective ? hn::Mul(depth, rate) : hn::Div(rate, hn::Max(hn::Neg(depth), hn::Set(d, kMinDistance)));
+  x = hn::Max(hn::Min(x, hn::Set(d, kMaxNearness)), hn::Set(d, kMinNearness));
+  const auto whole = hn::ConvertTo(di, CurveAt(*row.curve, x));
+  if (!kHasSky) return whole;
+  const auto lane = hn::Add(hn::Iota(d, 0.0f), hn::Set(d, static_cast<float>(i)));
+  const auto sky = hn::Add(hn::Set(d, row.sky), hn::Mul(lane, hn::Set(d, row.sky_step)));
+  return hn::IfThenElse(hn::RebindMask(di, hn::Eq(depth, sky)), hn::Set(di, row.sky_share), whole);
+}
+
+// One vector of pixels. Two channels at a time, in the halves of a lane: under * 256 + (color - under) *
+// fog, where the sum is right however its parts wrap. Alpha's fog is 0.
+template <bool kPerspective, bool kHasSky>
+HWY_INLINE void FogPixels(const FogRow& row, int i, const float* depths, uint32_t* pixels) {
+  const DU du;
+  const D16 d16;
+  const auto low_color = hn::BitCast(d16, hn::Set(du, row.color & 0x00ff00ffu));
+  const auto high_color = hn::BitCast(d16, hn::Set(du, row.color >> 8 & 0x00ff00ffu));
+  const auto round = hn::Set(d16, 128);
+  const auto fog = hn::BitCast(du, Share256<kPerspective, kHasSky>(row, i, depths));
+  const auto low_fog = hn::BitCast(d16, hn::Or(fog, hn::ShiftLeft<16>(fog)));
+  const auto high_fog = hn::BitCast(d16, fog);
+  const auto under = hn::BitCast(d16, hn::LoadU(du, pixels));
+  const auto low_bytes = hn::Set(d16, 0x00ff), high_bytes = hn::Set(d16, 0xff00);
+  const auto low = hn::Mul(hn::Sub(low_color, hn::And(under, low_bytes)), low_fog);
+  const auto high = hn::Mul(hn::Sub(high_color, hn::ShiftRight<8>(under)), high_fog);
+  const auto low_sum = hn::Add(hn::Add(hn::ShiftLeft<8>(under), round), low);
+  const auto high_sum = hn::Add(hn::Add(hn::And(under, high_bytes), round), high);
+  const auto out = hn::Or(hn::ShiftRight<8>(low_sum), hn::And(high_sum, high_bytes));
+  hn::StoreU(hn::BitCast(du, out), du, pixels);
+}
+
+template <bool kPerspective, bool kHasSky>
+HWY_INLINE void FogWholeRow(const FogRow& row) {
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(DI()));
+  auto* const pixels = static_cast<uint32_t*>(row.pixels);
+  int i = 0;
+  for (; i + kLanes <= row.count; i += kLanes)
+    FogPixels<kPerspective, kHasSky>(row, i, row.depth + i, pixels + i);
+  if (i == row.count) return;
+  // The last ones beside the row: there may be nothing to read behind them.
+  HWY_ALIGN float last_depths[16] = {};
+  HWY_ALIGN uint32_t last[16] = {};
+  for (int j = i; j < row.count; ++j) {
+    last_depths[j - i] = row.depth[j];
+    last[j - i] = pixels[j];
+  }
+  FogPixels<kPerspective, kHasSky>(row, i, last_depths, last);
+  for (int j = i; j < row.count; ++j) pixels[j] = last[j - i];
+}
+
+void FogRowU32(const FogRow& row) {
+  if (!row.perspective)
+    row.has_sky ? FogWholeRow<false, true>(row) : FogWholeRow<false, false>(row);
+  else
+    row.has_sky ? FogWholeRow<true, true>(row) : FogWholeRow<true, false>(row);
+}
+
+#endif
+
+}  // namespace temblor::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace temblor::render {
+
+HWY_EXPORT(FogRowU8);
+HWY_EXPORT(FogRowU32);
+
+void fog_row_u8_simd(const FogRow& row) {
+  HWY_DYNAMIC_DISPATCH(FogRowU8)(row);
+}
+void fog_row_u32_simd(const FogRow& row) {
+  HWY_DYNAMIC_DISPATCH(FogRowU32)(row);
+}
+
+}  // namespace temblor::render
+#endif

@@ -1,0 +1,82 @@
+#include "render/spans/sky_spans.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/spans/repeating_texture.h"
+
+namespace temblor::render {
+
+namespace {
+
+// As the original has them, for layers of 128 texels.
+constexpr double kBackScroll_texels_s = 8, kCloudScroll_texels_s = 16, kSkyTexels = 378, kStockLayer = 128;
+
+SkyRuns make_layers(const world::Texture& texture, const ViewFrame& view, double time_s,
+                    const ColorTables& tables, PixelFormat format, base::Arena& arena) {
+  SkyRuns sky{};
+  const std::uint32_t clouds = std::max(1u, texture.width / 2), back_left = texture.width - clouds;
+  const TexturePart front{texture, 0, 0, clouds}, behind{texture, 0, back_left, clouds};
+  RepeatingTexture front_layer, back_layer;
+  if (format == PixelFormat::kIndexed) {
+    const auto as_is = [](std::uint8_t index) { return index; };
+    front_layer = copy_repeating<std::uint8_t>(front, as_is, arena);
+    back_layer = copy_repeating<std::uint8_t>(behind, as_is, arena);
+  } else {
+    const auto color = [&](std::uint8_t index) { return tables.rgb[index]; };
+    const auto clear = [&](std::uint8_t index) { return index == 0 ? 0u : tables.rgb[index]; };
+    front_layer = copy_repeating<std::uint32_t>(front, clear, arena);
+    back_layer = copy_repeating<std::uint32_t>(behind, color, arena);
+  }
+  sky.clouds = front_layer.texels;
+  sky.back = back_layer.texels;
+  sky.width = front_layer.width;
+  sky.height = front_layer.height;
+
+  const double texels = sky.width / kStockLayer;
+  sky.scale = static_cast<float>(kSkyTexels * texels);
+  // The rest of a division in double: as exact after a day as after a second.
+  const auto scrolled = [&](double speed, std::int32_t size) {
+    const double offset = std::fmod(time_s * speed * texels, size);
+    return static_cast<float>(offset < 0 ? offset + size : offset);
+  };
+  sky.clouds_s = scrolled(kCloudScroll_texels_s, sky.width);
+  sky.clouds_t = scrolled(kCloudScroll_texels_s, sky.height);
+  sky.back_s = scrolled(kBackScroll_texels_s, sky.width);
+  sky.back_t = scrolled(kBackScroll_texels_s, sky.height);
+
+  set_rays(sky_rays(view), sky);
+  return sky;
+}
+
+}  // namespace
+
+SkyRays sky_rays(const ViewFrame& view) {
+  if (!view.perspective) return {view.axes.forward, math::Vec3d(0.0), math::Vec3d(0.0)};
+  const math::Vec3d right = view.axes.right, down = -view.axes.up;
+  return {view.axes.forward * view.pixels_per_unit - right * view.center_x - down * view.center_y, right,
+          down};
+}
+
+std::span<const SkyRuns*> prepare_sky_runs(const Scene& scene, const ViewFrame& view,
+                                           const SurfaceDraws& items, const ColorTables& tables,
+                                           PixelFormat format, base::Arena& arena) {
+  const std::span<const SkyRuns*> by_item =
+      arena.allocate_filled<const SkyRuns*>(items.items.size(), nullptr);
+  const std::span<const SkyRuns*> by_texture =
+      arena.allocate_filled<const SkyRuns*>(scene.level->textures.size(), nullptr);
+  for (std::size_t i = 0; i < items.items.size(); ++i) {
+    const SurfaceDraw& item = items.items[i];
+    if (item.kind != ItemKind::kSky) continue;
+    const SkyRuns*& made = by_texture[base::to_size(item.texture_index)];
+    if (made == nullptr) {
+      const std::span<SkyRuns> room = arena.allocate<SkyRuns>(1);
+      room[0] = make_layers(*item.texture, view, scene.time_s, tables, format, arena);
+      made = room.data();
+    }
+    by_item[i] = made;
+  }
+  return by_item;
+}
+
+}  // namespace temblor::render

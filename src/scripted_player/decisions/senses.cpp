@@ -1,0 +1,110 @@
+#include "scripted_player/decisions/senses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "movement/player.h"
+#include "server/move_trace.h"
+
+namespace temblor::player {
+namespace {
+
+namespace field = server::field;
+
+constexpr float kStep_units = 16;
+constexpr float kDegrees = 180 / std::numbers::pi_v<float>;
+
+server::EntityTrace trace(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from,
+                          const math::Vec3& to) {
+  return server::trace_move(io_world, from, movement::kPlayerMins, movement::kPlayerMaxs, to,
+                            server::MoveKind::kNoMonsters, player);
+}
+
+// Who stands there.
+bool burns_at(server::GameWorld& io_world, const math::Vec3& origin) {
+  const world::Contents feet =
+      server::point_contents(io_world, origin + math::Vec3(0, 0, movement::kPlayerMins.z + 1));
+  return feet == world::Contents::kLava || feet == world::Contents::kSlime;
+}
+
+// One step; false: there is none.
+bool step(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& to, math::Vec3& io_at) {
+  math::Vec3 over = to;
+  const auto across = trace(io_world, player, io_at, to);
+  if (across.trace.start_solid) return false;
+  if (across.trace.fraction < 1) {
+    const auto up = trace(io_world, player, io_at, io_at + math::Vec3(0, 0, movement::kStepHeight));
+    const auto on = trace(io_world, player, up.trace.end, {to.x, to.y, up.trace.end.z});
+    if (on.trace.fraction < 1) return false;
+    over = on.trace.end;
+  }
+  const auto down = trace(io_world, player, over, {over.x, over.y, io_at.z - movement::kStepHeight - 0.1f});
+  if (down.trace.fraction == 1 || down.trace.plane_normal.z < movement::kFloorNormal) return false;
+  io_at = down.trace.end;
+  return !burns_at(io_world, io_at);
+}
+
+}  // namespace
+
+Self feel_self(server::Game& io_game, std::size_t slot) {
+  const server::Edict edict = io_game.player(slot);
+  Self self;
+  self.entity = edict.index();
+  self.origin = edict[field::kOrigin];
+  self.velocity = edict[field::kVelocity];
+  self.on_ground = edict.has_flag(server::flag::kOnGround);
+  self.ground = edict[field::kGroundEntity];
+  self.water_level = edict.whole(field::kWaterLevel);
+  self.health = edict[field::kHealth];
+  self.armor = edict[field::kArmorValue];
+  self.items = edict.whole(field::kItems);
+  self.weapon = edict.whole(field::kWeapon);
+  self.shells = edict[field::kAmmoShells];
+  self.nails = edict[field::kAmmoNails];
+  self.rockets = edict[field::kAmmoRockets];
+  self.cells = edict[field::kAmmoCells];
+  return self;
+}
+
+bool can_walk(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from,
+              const math::Vec3& to) {
+  const math::Vec3 way(to.x - from.x, to.y - from.y, 0);
+  const float length = glm::length(way);
+  math::Vec3 at = from;
+  for (float done = 0; done < length;) {
+    done = std::min(done + kStep_units, length);
+    const math::Vec3 next = from + way * (done / length);
+    if (!step(io_world, player, {next.x, next.y, at.z}, at)) return false;
+  }
+  return std::abs(at.z - to.z) < 2 * movement::kStepHeight;
+}
+
+bool can_swim(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from,
+              const math::Vec3& to) {
+  return trace(io_world, player, from, to).trace.fraction == 1;
+}
+
+bool ends_in_fire(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from,
+                  const math::Vec3& to) {
+  constexpr float kDeepest_units = 4096;
+  const math::Vec3 over = trace(io_world, player, from, to).trace.end;
+  return burns_at(io_world, trace(io_world, player, over, over - math::Vec3(0, 0, kDeepest_units)).trace.end);
+}
+
+bool sees(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from, const math::Vec3& to) {
+  return server::trace_move(io_world, from, {0, 0, 0}, {0, 0, 0}, to, server::MoveKind::kNoMonsters, player)
+             .trace.fraction == 1;
+}
+
+math::Vec3 angles_towards(const math::Vec3& from, const math::Vec3& to) {
+  const math::Vec3 way = to - from;
+  const float level = glm::length(math::Vec2(way));
+  return {-std::atan2(way.z, level) * kDegrees, std::atan2(way.y, way.x) * kDegrees, 0};
+}
+
+float turn_between_deg(float from_deg, float to_deg) {
+  return std::remainder(to_deg - from_deg, 360.0f);
+}
+
+}  // namespace temblor::player

@@ -1,0 +1,56 @@
+#include "server/builtins/builtins.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "server/builtins/families.h"
+#include "server/system_globals.h"
+
+namespace temblor::server {
+namespace {
+
+constexpr std::span<const BuiltinEntry> (*kFamilies[])() = {
+    vector_builtins,    number_builtins,    entity_builtins,   finding_builtins,  tracing_builtins,
+    aiming_builtins,    movement_builtins,  precache_builtins, effect_builtins,   printing_builtins,
+    writing_builtins,   text_builtins,      file_builtins,     variable_builtins, level_builtins,
+    debugging_builtins, rerelease_builtins, bot_builtins,
+};
+
+// Those that always work.
+constexpr std::string_view kExtensions[] = {
+    "DP_QC_SINCOSSQRTPOW", "DP_QC_MINMAXBOUND", "DP_QC_RANDOMVEC",  "DP_QC_TRACEBOX",  "DP_QC_ETOS",
+    "DP_REGISTERCVAR",     "DP_QC_FINDFLOAT",   "DP_QC_COPYENTITY", "DP_QC_FINDCHAIN", "DP_QC_FINDCHAINFLOAT",
+    "DP_QC_CVAR_STRING",   "DP_QC_FINDFLAGS",   "DP_QC_SPRINTF",
+};
+
+}  // namespace
+
+void add_builtins(vm::Machine& io_machine, BuiltinContext& io_context) {
+  const base::Status fits = check_system_definitions(io_machine.program());
+  CHECK(fits.ok(), "{}", fits.error().message());
+  for (const auto family : kFamilies)
+    for (const BuiltinEntry& entry : family()) {
+      const auto run = [&io_context, &entry](vm::Machine&) {
+        Call call(io_context, entry.name);
+        return entry.function(call);
+      };
+      // As errors name it.
+      if (entry.number > 0) io_machine.add_builtin(entry.number, fmt::format("builtin {}", entry.name), run);
+      // Newer programs declare what they want by name alone.
+      io_machine.add_named_builtin(entry.name, run);
+    }
+}
+
+bool has_extension(const BuiltinContext& context, std::string_view name) {
+  if (base::equal_ignoring_case(name, "FRIK_FILE")) return context.files.can_write();
+  if (base::equal_ignoring_case(name, "KRIMZON_SV_PARSECLIENTCOMMAND"))
+    return static_cast<bool>(context.client_command);
+  if (base::equal_ignoring_case(name, "DP_SV_BOTCLIENT") ||
+      base::equal_ignoring_case(name, "DP_SV_DROPCLIENT"))
+    return static_cast<bool>(context.places.spawn_bot);
+  if (base::equal_ignoring_case(name, "DP_QC_WHICHPACK")) return static_cast<bool>(context.pack_of);
+  return std::any_of(std::begin(kExtensions), std::end(kExtensions),
+                     [&](std::string_view known) { return base::equal_ignoring_case(name, known); });
+}
+
+}  // namespace temblor::server

@@ -1,0 +1,110 @@
+#include "server/game/game_loader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/hash.h"
+#include "formats/game/lno.h"
+#include "formats/game/progs.h"
+#include "server/session/signon.h"
+#include "server/session/snapshot.h"
+
+namespace temblor::server {
+namespace {
+
+constexpr const char* kProgramName = "progs.dat";
+
+// What servers of today announce with 999.
+constexpr std::uint32_t kRmqFlags = net::kInt32Coord | net::kShortAngle;
+
+net::Dialect dialect_of(net::Protocol protocol) {
+  return {protocol, protocol == net::Protocol::kRmq ? kRmqFlags : 0};
+}
+
+// `lines`: what fteqcc wrote beside the program, if it did; one that is another program's is left out.
+base::Result<std::shared_ptr<const vm::Program>> make_program(base::Bytes bytes, const std::string& name,
+                                                              const base::Result<base::ByteVector>& lines) {
+  TRY(formats::Progs progs, formats::read_progs(bytes).with_file(name));
+  std::vector<std::uint32_t> line_numbers;
+  if (lines.ok()) {
+    if (auto read = formats::read_lno(*lines, progs); read.ok()) line_numbers = std::move(read).value();
+  }
+  return vm::Program::load(std::move(progs), std::move(line_numbers)).with_file(name);
+}
+
+base::Result<std::shared_ptr<const vm::Program>> load_program(const vfs::FileSystem& files,
+                                                              const std::filesystem::path& file) {
+  if (!file.empty()) {
+    TRY(const base::ByteVector bytes, vfs::read_disk_file(file));
+    std::filesystem::path lines = file;
+    return make_program(bytes, file.string(), vfs::read_disk_file(lines.replace_extension(".lno")));
+  }
+  if (!files.contains(kProgramName))
+    return base::error(base::ErrorCode::kNotFound,
+                       "there is no {} in the game folders: without the game's code there is no game; "
+                       "--progs FILE names one elsewhere",
+                       kProgramName);
+  TRY(const base::ByteVector bytes, files.read(kProgramName));
+  return make_program(bytes, files.describe(kProgramName), files.read("progs.lno"));
+}
+
+// What this dialect cannot say of the game; nothing when it can say all.
+std::optional<std::string> reason_against(Game& io_game, std::size_t entities_to_come) {
+  const net::Dialect& dialect = io_game.setup().dialect;
+  if (io_game.outbox().dropped() > 0)
+    return fmt::format("{} messages of the level's beginning cannot be said", io_game.outbox().dropped());
+  const std::size_t entities = std::max<std::size_t>(io_game.world().edicts.count(), entities_to_come);
+  if (dialect.protocol == net::Protocol::kNetQuake && entities > kMaxEntitiesOfProtocol15)
+    return fmt::format("{} entities are more than {}", entities, kMaxEntitiesOfProtocol15);
+  const base::Result<base::ByteVector> message = level_message(io_game, 0);
+  if (!message.ok()) return message.error().what;
+  return std::nullopt;
+}
+
+}  // namespace
+
+base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVariables& settings,
+                                   const GameServices& services) {
+  TRY(const std::shared_ptr<const vm::Program> program,
+      load_program(services.library.files(), request.program_file));
+  TRY(assets::LoadedLevel loaded, assets::load_level(services.library.files(), request.map));
+  TRY(const base::ByteVector level_bytes,
+      services.library.files().read(fmt::format("maps/{}.bsp", request.map)));
+  LoadedGame result;
+  result.notes = std::move(loaded.notes);
+  constexpr std::array kOldestFirst = {net::Protocol::kNetQuake, net::Protocol::kFitzQuake,
+                                       net::Protocol::kRmq};
+  for (const net::Protocol protocol : kOldestFirst) {
+    const std::optional<net::Protocol> wanted = settings.protocol();
+    if (wanted && *wanted != protocol) continue;
+    const bool is_last = wanted || protocol == kOldestFirst.back();
+    base::Result<std::unique_ptr<Game>> game = Game::start({.program = program,
+                                                            .level = loaded.level,
+                                                            .level_hash = base::hash_of_bytes(level_bytes),
+                                                            .map_name = request.map,
+                                                            .dialect = dialect_of(protocol),
+                                                            .max_clients = request.max_clients,
+                                                            .kind = request.kind,
+                                                            .skill = request.skill,
+                                                            .server_flags = request.server_flags,
+                                                            .seed = request.seed,
+                                                            .tick_s = settings.tick_s(),
+                                                            .settings = settings.physics()},
+                                                           services);
+    // More models or sounds than it has numbers for, perhaps.
+    if (!game.ok() && !is_last) continue;
+    if (!game.ok()) return game.error();
+    result.game = std::move(game).value();
+    const std::optional<std::string> reason = reason_against(*result.game, request.entities_to_come);
+    if (!reason) break;
+    if (is_last)
+      result.notes.push_back(
+          fmt::format("protocol {} cannot say all of it: {}", static_cast<int>(protocol), *reason));
+  }
+  for (const std::string& note : result.game->spawn_report().notes) result.notes.push_back(note);
+  return result;
+}
+
+}  // namespace temblor::server

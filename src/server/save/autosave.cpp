@@ -1,0 +1,63 @@
+#include "server/save/autosave.h"
+
+#include <algorithm>
+#include <system_error>
+
+namespace temblor::server {
+namespace {
+
+constexpr double kWorthSaving_s = 5;  // of a level; the menus ask before they leave one after as long
+constexpr double kUnhurt_s = 3;
+constexpr float kRotted = 1;  // of health above the usual: no blow
+
+}  // namespace
+
+void Autosave::begin_loaded(std::string_view name) {
+  const bool is_own = std::find(kAutosaveNames.begin(), kAutosaveNames.end(), name) != kAutosaveNames.end();
+  name_ = is_own ? name : std::string_view();
+  was_saved_ = true;  // it lies there
+}
+
+void Autosave::begin_level() {
+  began_s_.reset();
+  health_ = 0;
+  was_saved_ = false;
+  stands_ = true;
+}
+
+void Autosave::note_save(double now_s) {
+  saved_s_ = now_s;
+  was_saved_ = true;
+}
+
+void Autosave::watch(const Player& player, double now_s) {
+  if (!began_s_) began_s_ = saved_s_ = hurt_s_ = now_s;
+  if (player.health < health_ - kRotted) hurt_s_ = now_s;
+  health_ = player.health;
+  stands_ = player.stands;
+}
+
+bool Autosave::is_due(double every_s, double now_s) const {
+  const bool is_time = was_saved_ ? now_s - saved_s_ >= every_s : is_worth_saving(now_s);
+  return is_time && stands_ && now_s - hurt_s_ >= kUnhurt_s;
+}
+
+bool Autosave::is_worth_saving(double now_s) const {
+  return began_s_ && now_s - *began_s_ >= kWorthSaving_s;
+}
+
+std::string Autosave::choose_name(const std::filesystem::path& folder) {
+  if (!name_.empty()) return name_;
+  std::optional<std::filesystem::file_time_type> oldest;
+  for (const std::string_view name : kAutosaveNames) {
+    std::error_code failure;
+    const auto written = std::filesystem::last_write_time(folder / (std::string(name) + ".sav"), failure);
+    if (failure) return name_ = name;
+    if (oldest && written >= *oldest) continue;
+    oldest = written;
+    name_ = name;
+  }
+  return name_;
+}
+
+}  // namespace temblor::server

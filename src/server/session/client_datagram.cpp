@@ -1,0 +1,223 @@
+#include "server/session/client_datagram.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/game/ideal_pitch.h"
+
+namespace temblor::server {
+namespace {
+
+constexpr int kSwimmingLevel = 2;
+constexpr double kTurnTold_s = 0.03;  // three datagrams at 72 a second
+
+// Upper bits of items: what the mission packs added, or the runes of finished episodes.
+std::uint32_t items_of(Game& io_game, const Edict& edict) {
+  const auto items = static_cast<std::uint32_t>(edict.whole(field::kItems));
+  const float flags = io_game.server_flags();
+  const auto runes = static_cast<std::uint32_t>(flags >= 0 && flags < 16 ? flags : 0.0f);
+  if (const auto items2 = io_game.items2_field())
+    return items | static_cast<std::uint32_t>(edict.whole(*items2)) << 23;
+  return items | runes << 28;
+}
+
+std::uint16_t number_of_model(Game& io_game, const Edict& edict) {
+  const std::string_view name = io_game.machine().text(edict[field::kWeaponModel]);
+  if (name.empty()) return 0;
+  const std::vector<ServerModel>& models = io_game.world().models;
+  for (std::size_t i = 1; i < models.size(); ++i)
+    if (models[i].name == name) return static_cast<std::uint16_t>(i);
+  return 0;
+}
+
+std::int16_t sent_i16(float value) {
+  return static_cast<std::int16_t>(std::isfinite(value) ? std::clamp(value, -32768.0f, 32767.0f) : 0.0f);
+}
+
+// Entities that this player sees, those that fit: all, or the nearest.
+void choose_seen(Game& io_game, std::size_t slot, const Snapshot& snapshot, std::size_t room,
+                 DatagramScratch& io_scratch, DatagramCounts& io_counts) {
+  const vm::EntityIndex own = Game::player_index(slot);
+  const math::Vec3 eye = io_game.player(slot)[field::kOrigin];
+  std::vector<std::uint32_t>& seen = io_scratch.seen;
+  seen.clear();
+  std::size_t bytes = 0;
+  for (std::uint32_t i = 0; i < snapshot.entities.size(); ++i) {
+    const Snapshot::Entity& entity = snapshot.entities[i];
+    const bool is_seen =
+        entity.index == own ||
+        (entity.shows_something && io_scratch.sight.sees(io_game.world().edicts.state(entity.index)));
+    if (!is_seen) continue;
+    seen.push_back(i);
+    bytes += entity.end - entity.begin;
+  }
+  if (bytes <= room) return;
+  // The player himself is nearest of all.
+  const auto distance_to_eye = [&](std::uint32_t i) {
+    const math::Vec3 away = snapshot.entities[i].origin - eye;
+    return snapshot.entities[i].index == own ? -1.0f : glm::dot(away, away);
+  };
+  std::stable_sort(seen.begin(), seen.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return distance_to_eye(a) < distance_to_eye(b); });
+  std::size_t kept = 0, kept_bytes = 0;
+  while (kept < seen.size()) {
+    const Snapshot::Entity& entity = snapshot.entities[seen[kept]];
+    if (kept_bytes + (entity.end - entity.begin) > room) break;
+    kept_bytes += entity.end - entity.begin;
+    ++kept;
+  }
+  io_counts.entities_left_out = seen.size() - kept;
+  seen.resize(kept);
+}
+
+void look_around(Game& io_game, const Edict& player, DatagramScratch& io_scratch) {
+  io_scratch.sight.look(*io_game.world().level, player[field::kOrigin] + player[field::kViewOffset]);
+}
+
+// Each event within sight, then what everyone is told.
+template <typename Write>
+void for_each_event(Game& io_game, const Sight& sight, Write write) {
+  Outbox& outbox = io_game.outbox();
+  for (const Outbox::Placed& placed : outbox.placed())
+    if (!placed.place || sight.sees(*io_game.world().level, *placed.place))
+      write(outbox.placed_bytes().subspan(placed.begin, placed.end - placed.begin));
+  if (outbox.broadcast().size() > 0) write(outbox.broadcast().view());
+}
+
+// What was kept, then what happened this tick, as far as it fits.
+void write_events(Game& io_game, std::size_t max_size, const Sight& sight, PendingUpdates& io_pending,
+                  DatagramCounts& io_counts, base::ByteWriter& io_writer) {
+  const auto write = [&](base::Bytes event) {
+    if (io_writer.size() + event.size() < max_size)
+      io_writer.bytes(event);
+    else
+      io_counts.events_left_out = true;
+  };
+  std::size_t begin = 0;
+  for (const std::size_t end : io_pending.event_ends) {
+    write(base::Bytes(io_pending.events.view()).subspan(begin, end - begin));
+    begin = end;
+  }
+  io_pending.events.truncate(0);
+  io_pending.event_ends.clear();
+  for_each_event(io_game, sight, write);
+}
+
+void write_damage(Game& io_game, const Edict& edict, base::ByteWriter& io_writer) {
+  if (edict[field::kDamageTaken] == 0 && edict[field::kDamageSaved] == 0) return;
+  const Edict inflictor = io_game.world().edicts.at(edict[field::kDamageInflictor]);
+  const math::Vec3 from =
+      inflictor[field::kOrigin] + (inflictor[field::kMins] + inflictor[field::kMaxs]) * 0.5f;
+  const net::Damage damage{.armor = sent_u8(edict[field::kDamageSaved]),
+                           .blood = sent_u8(edict[field::kDamageTaken]),
+                           .from = from};
+  io_game.outbox().write(damage, io_writer);
+  edict.set(field::kDamageTaken, 0.0f);
+  edict.set(field::kDamageSaved, 0.0f);
+}
+
+void write_turn(Game& io_game, const Edict& edict, TurnToTell& io_turn, base::ByteWriter& io_writer) {
+  if (edict[field::kFixAngle] != 0) {
+    io_turn = {finite(edict[field::kAngles]), io_game.time_s() + kTurnTold_s, -1};
+    edict.set(field::kFixAngle, 0.0f);
+  }
+  // Once where time stands still.
+  if (io_game.time_s() > io_turn.until_s || io_game.time_s() == io_turn.told_at_s) return;
+  io_turn.told_at_s = io_game.time_s();
+  io_game.outbox().write(net::SetAngle{io_turn.angles_deg}, io_writer);
+}
+
+}  // namespace
+
+net::ClientData client_data_of(Game& io_game, std::size_t slot) {
+  const Edict edict = io_game.player(slot);
+  // Protocol 15 has a byte for each; what is above it loses its upper bits, as stock servers have it.
+  const bool is_stock = io_game.setup().dialect.protocol == net::Protocol::kNetQuake;
+  const auto number = [&](Field<float> f) {
+    return is_stock ? std::uint16_t{sent_u8(edict[f])} : sent_u16(edict[f]);
+  };
+  return {.view_height = finite(edict[field::kViewOffset]).z,
+          .ideal_pitch_deg = finite(math::Vec3{edict[field::kIdealPitch]}).x,
+          .punch_deg = finite(edict[field::kPunchAngle]),
+          .velocity = finite(edict[field::kVelocity]),
+          .items = items_of(io_game, edict),
+          .on_ground = edict.has_flag(flag::kOnGround),
+          .in_water = edict[field::kWaterLevel] >= kSwimmingLevel,
+          .weapon_frame = number(field::kWeaponFrame),
+          .armor = number(field::kArmorValue),
+          .weapon_model = number_of_model(io_game, edict),
+          .health = sent_i16(edict[field::kHealth]),
+          .ammo = number(field::kCurrentAmmo),
+          .shells = number(field::kAmmoShells),
+          .nails = number(field::kAmmoNails),
+          .rockets = number(field::kAmmoRockets),
+          .cells = number(field::kAmmoCells),
+          .active_weapon = sent_u8(edict[field::kWeapon])};
+}
+
+DatagramCounts write_datagram(Game& io_game, std::size_t slot, const Snapshot& snapshot,
+                              std::size_t max_bytes, PendingUpdates& io_pending, DatagramScratch& io_scratch,
+                              base::ByteWriter& io_writer) {
+  const std::size_t max_size = io_writer.size() + max_bytes;
+  const Edict edict = io_game.player(slot);
+  set_ideal_pitch(io_game.world(), edict.index());
+  look_around(io_game, edict, io_scratch);
+
+  DatagramCounts counts;
+  io_scratch.time = io_writer.size();
+  io_game.outbox().write(net::Time{static_cast<float>(io_game.time_s())}, io_writer);
+  io_scratch.once = io_writer.size();
+  write_damage(io_game, edict, io_writer);
+  write_turn(io_game, edict, io_pending.turn, io_writer);
+  io_scratch.client_data = io_writer.size();
+  io_game.outbox().write(client_data_of(io_game, slot), io_writer);
+  io_scratch.acknowledgement = io_writer.size();
+  if (!io_pending.acknowledgement.empty()) {
+    io_game.outbox().write(net::StuffText{io_pending.acknowledgement}, io_writer);
+    io_pending.acknowledgement.clear();
+  }
+  io_scratch.entities = io_writer.size();
+  const std::size_t room = max_size > io_writer.size() ? max_size - io_writer.size() : 0;
+  choose_seen(io_game, slot, snapshot, room, io_scratch, counts);
+  for (const std::uint32_t i : io_scratch.seen) io_writer.bytes(snapshot.update_of(snapshot.entities[i]));
+  io_scratch.events = io_writer.size();
+  write_events(io_game, max_size, io_scratch.sight, io_pending, counts, io_writer);
+  return counts;
+}
+
+bool take_datagram_apart(base::Bytes datagram, const Snapshot& snapshot, const net::Dialect& dialect,
+                         const DatagramScratch& scratch, net::SnapshotState& out_state) {
+  const auto part = [&](std::size_t begin, std::size_t end) { return datagram.subspan(begin, end - begin); };
+  if (scratch.seen.size() > net::SnapshotState::kMaxEntities) return false;
+  const net::UpdateParts parts{.time = part(scratch.time, scratch.once),
+                               .once = part(scratch.once, scratch.client_data),
+                               .client_data = part(scratch.client_data, scratch.acknowledgement),
+                               .acknowledgement = part(scratch.acknowledgement, scratch.entities),
+                               .events = part(scratch.events, datagram.size())};
+  if (!net::take_apart(parts, dialect, out_state)) return false;
+  for (const std::uint32_t i : scratch.seen) out_state.entities.push_back(snapshot.words[i]);
+  // Where not all had room they are in order of distance.
+  const auto by_number = [](const net::SnapshotState::Entity& a, const net::SnapshotState::Entity& b) {
+    return a.number < b.number;
+  };
+  if (!std::is_sorted(out_state.entities.begin(), out_state.entities.end(), by_number))
+    std::sort(out_state.entities.begin(), out_state.entities.end(), by_number);
+  return true;
+}
+
+DatagramCounts keep_events(Game& io_game, std::size_t slot, std::size_t max_bytes,
+                           DatagramScratch& io_scratch, PendingUpdates& io_pending) {
+  look_around(io_game, io_game.player(slot), io_scratch);
+  DatagramCounts counts;
+  for_each_event(io_game, io_scratch.sight, [&](base::Bytes event) {
+    if (io_pending.events.size() + event.size() > max_bytes) {
+      counts.events_left_out = true;
+      return;
+    }
+    io_pending.events.bytes(event);
+    io_pending.event_ends.push_back(io_pending.events.size());
+  });
+  return counts;
+}
+
+}  // namespace temblor::server

@@ -1,0 +1,52 @@
+#include "server/session/outbox.h"
+
+#include "net/protocol/message_writer.h"
+
+namespace temblor::server {
+namespace {
+
+// Of the entity that the message begins or is heard from; 0 for others.
+std::uint32_t number_in(const net::ServerMessage& message) {
+  if (const auto* sound = std::get_if<net::Sound>(&message)) return sound->entity;
+  if (const auto* baseline = std::get_if<net::SpawnBaseline>(&message)) return baseline->number;
+  return 0;
+}
+
+}  // namespace
+
+Outbox::Outbox(const net::Dialect& dialect, std::uint32_t client_count)
+    : dialect_(dialect), players_(client_count) {}
+
+base::ByteWriter* Outbox::reliable_to(vm::EntityIndex player) {
+  const std::size_t number = base::to_size(player);
+  return number >= 1 && number <= players_.size() ? &players_[number - 1] : nullptr;
+}
+
+void Outbox::write(const net::ServerMessage& message, base::ByteWriter& io_writer) {
+  const std::size_t before = io_writer.size();
+  if (dialect_.protocol == net::Protocol::kNetQuake && number_in(message) >= kMaxEntitiesOfProtocol15) {
+    ++dropped_;
+    return;
+  }
+  const bool is_written = net::write_message(message, dialect_, io_writer).ok();
+  const bool is_said = is_written && io_writer.size() > before && has_room(io_writer, 0);
+  if (is_said) return;
+  io_writer.truncate(before);
+  ++dropped_;
+}
+
+void Outbox::at_place(const net::ServerMessage& message, std::optional<math::Vec3> place) {
+  const std::size_t begin = placed_bytes_.size();
+  write(message, placed_bytes_);
+  if (placed_bytes_.size() > begin) placed_.push_back({place, begin, placed_bytes_.size()});
+}
+
+void Outbox::clear_tick() {
+  broadcast_.truncate(0);
+  reliable_.truncate(0);
+  placed_bytes_.truncate(0);
+  for (base::ByteWriter& player : players_) player.truncate(0);
+  placed_.clear();
+}
+
+}  // namespace temblor::server

@@ -1,0 +1,33 @@
+#include "server/session/server_models.h"
+
+#include <fmt/format.h>
+
+#include "formats/levels/bsp.h"
+
+namespace temblor::server {
+
+std::vector<ServerModel> models_of_level(const world::Level& level, std::string_view path) {
+  std::vector<ServerModel> models(1);
+  for (std::size_t i = 0; i < level.models.size(); ++i) {
+    const auto index = base::to_index<world::ModelIndex>(i);
+    models.push_back({i == 0 ? std::string(path) : fmt::format("*{}", i), level.models[i].bounds, index});
+  }
+  return models;
+}
+
+base::Result<ServerModel> load_server_model(const assets::Library& library, std::string_view name) {
+  if (name.ends_with(".bsp")) {
+    TRY(const base::ByteVector bytes, library.files().read(name));
+    TRY(const formats::Bsp bsp, formats::read_bsp(bytes).with_file(library.files().describe(name)));
+    const formats::BspModel& model = bsp.models.at(0);
+    return ServerModel{std::string(name), {model.mins - 1.0f, model.maxs + 1.0f}};
+  }
+  if (!library.files().contains(name)) {
+    base::Error error = base::error(base::ErrorCode::kNotFound, "there is no such model");
+    error.file = name;
+    return error;
+  }
+  return ServerModel{std::string(name), {math::Vec3{-16.0f}, math::Vec3{16.0f}}};
+}
+
+}  // namespace temblor::server

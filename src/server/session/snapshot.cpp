@@ -1,0 +1,77 @@
+#include "server/session/snapshot.h"
+
+#include <cmath>
+
+#include "base/check.h"
+#include "net/protocol/message_writer.h"
+
+namespace temblor::server {
+namespace {
+
+constexpr float kMovedBy_units = 0.1f;  // less is not worth a word
+constexpr float kStockThink_s = 0.1f;   // what a client expects between two frames of an animation
+
+template <typename T>
+std::optional<T> if_changed(T now, T before) {
+  return now == before ? std::nullopt : std::optional<T>(now);
+}
+
+net::EntityUpdate update_of(const Edict& edict, const EdictState& state, const LookFields& fields,
+                            double time_s) {
+  const net::Baseline now = look_of(edict, fields);
+  const net::Baseline& before = state.baseline;
+  net::EntityUpdate update;
+  update.number = static_cast<std::uint16_t>(base::to_size(edict.index()));
+  update.model = if_changed(now.model, before.model);
+  update.frame = if_changed(now.frame, before.frame);
+  update.colormap = if_changed(now.colormap, before.colormap);
+  update.skin = if_changed(now.skin, before.skin);
+  update.effects = if_changed(sent_u8(edict[field::kEffects]), std::uint8_t{0});
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    if (std::abs(now.origin[axis] - before.origin[axis]) > kMovedBy_units)
+      update.origin[i] = now.origin[axis];
+    update.angles_deg[i] = if_changed(now.angles_deg[axis], before.angles_deg[axis]);
+  }
+  update.alpha = if_changed(now.alpha, before.alpha);
+  update.scale = if_changed(now.scale, before.scale);
+  update.step = edict.move_type() == MoveType::kStep;
+  const float until_think_s = edict[field::kNextThink] - static_cast<float>(time_s);
+  if (update.step && until_think_s > 0 && until_think_s < 1 &&
+      std::abs(until_think_s - kStockThink_s) > 0.002f)
+    update.next_think_s = until_think_s;
+  return update;
+}
+
+}  // namespace
+
+void take_snapshot(GameWorld& io_world, const vm::Machine& machine, const LookFields& fields,
+                   const net::Dialect& dialect, Snapshot& io_snapshot) {
+  io_snapshot.entities.clear();
+  io_snapshot.words.clear();
+  io_snapshot.bytes.truncate(0);
+  io_snapshot.unnumbered = 0;
+  const bool is_stock = dialect.protocol == net::Protocol::kNetQuake;
+  for (std::uint32_t number = 1; number < io_world.edicts.count(); ++number) {
+    const vm::EntityIndex index{number};
+    const EdictState& state = io_world.edicts.state(index);
+    if (state.is_free) continue;
+    const Edict edict = io_world.edicts[index];
+    const bool shows_something = edict[field::kModelIndex] > 0 && !machine.text(edict[field::kModel]).empty();
+    if (!shows_something && number > io_world.edicts.client_count()) continue;
+    if (is_stock && number >= kMaxEntitiesOfProtocol15) {
+      ++io_snapshot.unnumbered;
+      continue;
+    }
+    const std::size_t begin = io_snapshot.bytes.size();
+    const net::EntityUpdate update = update_of(edict, state, fields, io_world.time_s);
+    if (!net::write_message(update, dialect, io_snapshot.bytes).ok()) continue;
+    const bool has_words = net::take_apart(base::Bytes(io_snapshot.bytes.view()).subspan(begin), dialect,
+                                           io_snapshot.words.emplace_back());
+    CHECK(has_words, "what was written is an update");
+    io_snapshot.entities.push_back(
+        {index, shows_something, edict[field::kOrigin], begin, io_snapshot.bytes.size()});
+  }
+}
+
+}  // namespace temblor::server

@@ -1,0 +1,93 @@
+// `temblor bench`: what it prints is complete and consistent in itself.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "render/frame.h"
+#include "support/programs/small_game.h"
+
+namespace temblor::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using Words = std::vector<std::string>;
+
+json bench(const std::filesystem::path& folder, const Words& more) {
+  Words words = {"bench", "--json", "--size", "64x48", "--step", "90"};
+  words.insert(words.end(), more.begin(), more.end());
+  const ProgramRun run = run_program(folder, words);
+  EXPECT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_THAT(run.err, IsEmpty());
+  return json::parse(run.out);
+}
+
+TEST(BenchProgram, ReportsWhatItMeasured) {
+  const TemporaryFolder folder;
+  const json result = bench(folder.path(), {"--color", "indexed", "--threads", "2"});
+  EXPECT_EQ(result.at("size"), "64x48");
+  EXPECT_EQ(result.at("color"), "indexed");
+  EXPECT_EQ(result.at("threads"), 2);
+  EXPECT_GT(result.at("places"), 0);
+  EXPECT_EQ(result.at("frames"), 4 * result.at("places").get<int>());
+  EXPECT_GT(result.at("floor_ms"), 0.0);
+  for (const char* name : {"frame_ms", "render_ms", "present_ms"}) {
+    const json& times = result.at(name);
+    EXPECT_GT(times.at("p50"), 0.0) << name;
+    EXPECT_LE(times.at("p50"), times.at("p99")) << name;
+    EXPECT_LE(times.at("p99"), times.at("max")) << name;
+  }
+  EXPECT_GE(result.at("frame_ms").at("p50"), result.at("render_ms").at("p50"));
+  EXPECT_NEAR(result.at("render_floors"),
+              result.at("render_ms").at("p50").get<double>() / result.at("floor_ms").get<double>(), 1e-9);
+  for (const char* stage : render::kStageNames) EXPECT_TRUE(result.at("stages").contains(stage)) << stage;
+  EXPECT_GT(result.at("stages").at("present"), 0.0);
+  EXPECT_GE(result.at("faces").at("in_pvs"), result.at("faces").at("seen"));
+  EXPECT_GT(result.at("cache_bytes"), 0);
+  EXPECT_FALSE(result.contains("cold_ms"));
+}
+
+TEST(BenchProgram, WarmFramesBuildNothingAndAllocateNothing) {
+  const TemporaryFolder folder;
+  for (const char* color : {"indexed", "rgb"}) {
+    const json result = bench(folder.path(), {"--color", color, "--threads", "1"});
+    EXPECT_EQ(result.at("surfaces_built"), 0) << color;
+    EXPECT_EQ(result.at("allocations"), 0) << color;
+    EXPECT_EQ(result.at("allocating_frames"), 0) << color;
+  }
+}
+
+TEST(BenchProgram, SettingsReachTheRenderer) {
+  const TemporaryFolder folder;
+  EXPECT_GT(bench(folder.path(), {"--set", "r_surface_cache=0"}).at("surfaces_built"), 0);
+}
+
+TEST(BenchProgram, ColdViewsOnRequest) {
+  const TemporaryFolder folder;
+  const json result = bench(folder.path(), {"--cold"});
+  EXPECT_GT(result.at("cold_ms").at("p50"), 0.0);
+  EXPECT_LE(result.at("circle_cache_bytes").at("max"), result.at("cache_bytes"))
+      << "all places together need at least what one needs";
+}
+
+TEST(BenchProgram, SeveralLevelsGiveAList) {
+  const SmallGame game;
+  const json results = bench(game.path(), {"--map", "small", "--map", "small"});
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[0].at("map"), "small");
+}
+
+TEST(BenchProgram, TextForAPerson) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_program(folder.path(), {"bench", "--size", "64x48", "--step", "180", "--cold"});
+  EXPECT_EQ(run.exit_status, 0) << run.err;
+  for (const char* word :
+       {"fps", "median", "floors", "cold", "spans", "cycles/pixel", "overlay", "frames allocate"})
+    EXPECT_THAT(run.out, HasSubstr(word));
+}
+
+}  // namespace
+}  // namespace temblor::test

@@ -1,0 +1,25 @@
+// Maps for `temblor compile`, and a folder to run it in.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "formats/levels/bsp.h"
+#include "support/programs/temporary_folder.h"
+
+namespace temblor::test {
+
+// A room with one wall texture, a player's start and a colored light.
+std::string lit_room();
+// Rows of side * side pillars, each a little out of line: slow to work out what is seen between them.
+std::string hall_of_pillars(int side);
+
+class CompileProgram : public ::testing::Test {
+ protected:
+  // CHECKs that it is there and whole.
+  formats::Bsp read_level(const std::string& name);
+  TemporaryFolder folder_;
+};
+
+}  // namespace temblor::test

@@ -1,0 +1,241 @@
+// `temblor compile`, as a mapper uses it.
+#include "app/compile/compile_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "artgen/palette.h"
+#include "formats/images/png.h"
+#include "support/game_data.h"
+#include "support/levels/room_map.h"
+
+namespace temblor::test {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using Words = std::vector<std::string>;
+
+TEST_F(CompileProgram, MapBecomesALevelThatIsDrawn) {
+  folder_.write("room.map", lit_room());
+  const ProgramRun run = run_program(folder_.path(), {"compile", "room.map"});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("texture")) << "the wall's texture is nowhere";
+  EXPECT_THAT(run.out, HasSubstr("room.bsp"));
+  const formats::Bsp bsp = read_level("room.bsp");
+  EXPECT_EQ(bsp.version, formats::BspVersion::k29);
+  EXPECT_THAT(bsp.lighting, Not(IsEmpty()));
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "room.lit")) << "the light has a color";
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "room.pts"));
+  const ProgramRun inspected = run_program(folder_.path(), {"inspect", "--json", "room.bsp"});
+  EXPECT_EQ(inspected.exit_status, 0) << inspected.err;
+  EXPECT_THAT(nlohmann::json::parse(inspected.out).value("problems", nlohmann::json::array()), IsEmpty());
+}
+
+TEST_F(CompileProgram, SameInputGivesTheSameBytes) {
+  folder_.write("room.map", lit_room());
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "a.bsp", "--threads", "1"}).exit_status,
+            0);
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "b.bsp", "--threads", "3"}).exit_status,
+            0);
+  EXPECT_EQ(read_text(folder_.path() / "a.bsp"), read_text(folder_.path() / "b.bsp"));
+  EXPECT_EQ(read_text(folder_.path() / "a.lit"), read_text(folder_.path() / "b.lit"));
+}
+
+TEST_F(CompileProgram, StagesCanBeLeftOut) {
+  folder_.write("room.map", lit_room());
+  const ProgramRun run = run_program(
+      folder_.path(), {"compile", "room.map", "--no-light", "--no-vis", "--bsp2", "-o", "bare.bsp"});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  const formats::Bsp bsp = read_level("bare.bsp");
+  EXPECT_EQ(bsp.version, formats::BspVersion::kBsp2);
+  EXPECT_THAT(bsp.lighting, IsEmpty());
+  EXPECT_THAT(bsp.visibility, IsEmpty());
+}
+
+TEST_F(CompileProgram, WithoutTheLibraryOfLightItSaysSoAtOnce) {
+  folder_.write("room.map", lit_room());
+  for (const char* name : {"libembree3.so.3", "libembree4.so.4"})
+    folder_.write(name, std::string_view("no library"));
+  setenv("LD_LIBRARY_PATH", folder_.path().c_str(), 1);
+  const ProgramRun refused = run_program(folder_.path(), {"compile", "room.map"});
+  EXPECT_EQ(refused.exit_status, 1);
+  EXPECT_TRUE(is_one_error_line(refused.err)) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("libembree"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "room.bsp"));
+  const ProgramRun bare = run_program(folder_.path(), {"compile", "room.map", "--no-light"});
+  unsetenv("LD_LIBRARY_PATH");
+  EXPECT_EQ(bare.exit_status, 0) << bare.err;
+}
+
+TEST_F(CompileProgram, LeakIsToldAndItsWayIsWritten) {
+  const std::string walls = walls_text({-128, -128, 0}, {128, 128, 128}, "wall");
+  const std::string world = entity_text("worldspawn", "", walls.substr(walls.find("}\n") + 2));
+  folder_.write("leak.map", world + point_text("info_player_start", {0, 0, 32}));
+  const ProgramRun run = run_program(folder_.path(), {"compile", "leak.map"});
+  EXPECT_EQ(run.exit_status, 0);
+  EXPECT_THAT(run.err, HasSubstr(fmt::format("entity 1 (info_player_start) at 0 0 32, line {} of the map",
+                                             1 + std::count(world.begin(), world.end(), '\n'))));
+  EXPECT_THAT(run.err, HasSubstr("leak.pts"));
+  EXPECT_THAT(read_text(folder_.path() / "leak.pts"), HasSubstr("0.00 0.00 32.00\n"));
+  EXPECT_THAT(run.err, HasSubstr("leak.leak.png"));
+  const Png picture = read_png(folder_.path() / "leak.leak.png");
+  const auto has_pixel = [&](int red, int green, int blue) {
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3)
+      if (picture.rgb[i] == red && picture.rgb[i + 1] == green && picture.rgb[i + 2] == blue) return true;
+    return false;
+  };
+  EXPECT_TRUE(has_pixel(64, 230, 89)) << "where the way begins";
+  EXPECT_TRUE(has_pixel(255, 51, 51)) << "where it ends";
+  // Gone once the hole is mended.
+  folder_.write("leak.map", lit_room());
+  EXPECT_EQ(run_program(folder_.path(), {"compile", "leak.map"}).exit_status, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "leak.pts"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "leak.leak.png"));
+}
+
+TEST_F(CompileProgram, KeepsWhatDidNotChange) {
+  folder_.write("room.map", lit_room());
+  const Words compile{"compile", "room.map"};
+  ASSERT_EQ(run_program(folder_.path(), compile).exit_status, 0);
+  const std::string level = read_text(folder_.path() / "room.bsp"),
+                    lit = read_text(folder_.path() / "room.lit");
+  const ProgramRun again = run_program(folder_.path(), compile);
+  EXPECT_THAT(again.out, ContainsRegex("bsp +unchanged"));
+  EXPECT_THAT(again.out, ContainsRegex("visibility +unchanged"));
+  EXPECT_THAT(again.out, ContainsRegex("light +unchanged"));
+  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), level);
+  EXPECT_EQ(read_text(folder_.path() / "room.lit"), lit);
+  // Nothing is kept of what somebody else wrote, or of a file that is damaged.
+  folder_.write("room.lit", std::string(lit.size(), 'x'));
+  EXPECT_THAT(run_program(folder_.path(), compile).out, Not(HasSubstr("unchanged")));
+  folder_.write("room.build", "no build file");
+  const ProgramRun damaged = run_program(folder_.path(), compile);
+  EXPECT_THAT(damaged.err, HasSubstr("room.build"));
+  EXPECT_THAT(damaged.out, Not(HasSubstr("unchanged")));
+  EXPECT_EQ(read_text(folder_.path() / "room.lit"), lit);
+  EXPECT_THAT(run_program(folder_.path(), {"compile", "room.map", "--clean"}).out,
+              Not(HasSubstr("unchanged")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "room.build"));
+}
+
+TEST_F(CompileProgram, OneStageAlone) {
+  folder_.write("room.map", lit_room());
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "whole.bsp"}).exit_status, 0);
+  for (const char* stage : {"bsp", "vis", "light"}) {
+    const ProgramRun run = run_program(folder_.path(), {"compile", "room.map", "--only", stage});
+    ASSERT_EQ(run.exit_status, 0) << run.err;
+    const formats::Bsp bsp = read_level("room.bsp");
+    EXPECT_EQ(bsp.visibility.empty(), std::string(stage) == "bsp");
+    EXPECT_EQ(bsp.lighting.empty(), std::string(stage) != "light");
+  }
+  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), read_text(folder_.path() / "whole.bsp"));
+}
+
+TEST_F(CompileProgram, LevelWithoutItsMapGetsVisibilityAndLight) {
+  folder_.write("room.map", lit_room());
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "--clean"}).exit_status, 0);
+  const formats::Bsp whole = read_level("room.bsp");
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "--clean", "--only", "bsp", "-o", "bare.bsp"})
+                .exit_status,
+            0);
+  const ProgramRun run = run_program(folder_.path(), {"compile", "bare.bsp", "-o", "again.bsp"});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  const formats::Bsp again = read_level("again.bsp");
+  EXPECT_EQ(again.lighting, whole.lighting);
+  EXPECT_EQ(again.visibility, whole.visibility);
+  EXPECT_EQ(read_text(folder_.path() / "again.lit"), read_text(folder_.path() / "room.lit"));
+}
+
+TEST_F(CompileProgram, WhatIsWrongIsOneLine) {
+  folder_.write("broken.map", "{\n\"classname\" \"worldspawn\"\n{\n( 0 0 x )\n");
+  folder_.write("empty.map", "");
+  folder_.write("broken.bsp", "no level");
+  folder_.write("room.map", lit_room());
+  struct Case {
+    Words words;
+    int status;
+    std::vector<std::string> parts;
+  };
+  const std::vector<Case> cases = {
+      {{"compile"}, 2, {"map"}},
+      {{"compile", "--textures", "."}, 2, {"map", ".wad"}},
+      {{"compile", "--textures", ".", "-o", "art.wad"}, 1, {"--textures", ".png"}},
+      {{"compile", "none.map"}, 1, {"none.map"}},
+      {{"compile", "broken.map"}, 1, {"broken.map", "line 4"}},
+      {{"compile", "empty.map"}, 1, {"empty.map", "worldspawn"}},
+      {{"compile", "room.map", "--wad", "none.wad"}, 1, {"none.wad", "--wad"}},
+      {{"compile", "room.map", "--extra", "3"}, 2, {"--extra"}},
+      {{"compile", "room.map", "-o", "nowhere/room.bsp"}, 1, {"nowhere/room.bsp", "-o"}},
+      {{"compile", "room.map", "--only", "qbsp"}, 2, {"qbsp", "bsp, vis and light"}},
+      {{"compile", "room.map", "--only", "vis", "--no-light"}, 2, {"--only", "--no-light"}},
+      {{"compile", "room.map", "--shard", "1/2"}, 2, {"--only"}},
+      {{"compile", "room.map", "--only", "bsp", "--merge"}, 2, {"--merge"}},
+      {{"compile", "room.map", "--only", "vis", "--shard", "0/2"}, 2, {"0/2"}},
+      {{"compile", "room.map", "--only", "vis", "--shard", "3/2"}, 2, {"3/2"}},
+      {{"compile", "room.map", "--only", "light", "--merge"}, 1, {"room.light", "--shard"}},
+      {{"compile", "none.bsp"}, 1, {"none.bsp"}},
+      {{"compile", "broken.bsp"}, 1, {"broken.bsp"}},
+      {{"compile", "none.bsp", "--watch"}, 2, {"--watch"}},
+      {{"compile", "none.bsp", "--bsp2"}, 2, {"--bsp2", ".map"}},
+      {{"compile", "none.bsp", "--no-vis"}, 2, {"--no-vis", ".map"}},
+      {{"compile", "none.bsp", "--wad", "none.wad"}, 2, {"--wad", ".map"}},
+  };
+  for (const Case& c : cases) {
+    const ProgramRun run = run_program(folder_.path(), c.words);
+    EXPECT_EQ(run.exit_status, c.status) << run.err;
+    std::string last = run.err;  // notes about textures may come before
+    last.pop_back();
+    last = last.substr(last.rfind('\n') + 1) + "\n";
+    EXPECT_TRUE(is_one_error_line(last)) << run.err;
+    for (const std::string& part : c.parts) EXPECT_THAT(last, HasSubstr(part));
+  }
+}
+
+TEST_F(CompileProgram, PicturesOfAFolderAreTextures) {
+  folder_.write("room.map", lit_room());
+  const formats::Palette palette = artgen::make_palette();
+  std::filesystem::create_directory(folder_.path() / "art");
+  const std::vector<std::uint8_t> gray(32 * 16, 5);
+  const base::ByteVector png = formats::write_png(gray, 32, 16, palette).value();
+  folder_.write("art/wall.png", std::string(base::as_text(png)));
+  const ProgramRun run = run_program(folder_.path(), {"compile", "room.map", "--textures", "art"});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_THAT(run.err, IsEmpty());
+  const formats::Bsp bsp = read_level("room.bsp");
+  ASSERT_EQ(bsp.miptexes.size(), 1u);
+  EXPECT_EQ(bsp.miptexes[0].name, "wall");
+  EXPECT_EQ(bsp.miptexes[0].width, 32u);
+  EXPECT_EQ(bsp.miptexes[0].mips[0], gray);
+  // The same as a WAD, for editors.
+  const ProgramRun wad = run_program(folder_.path(), {"compile", "--textures", "art", "-o", "art.wad"});
+  ASSERT_EQ(wad.exit_status, 0) << wad.err;
+  ASSERT_EQ(
+      run_program(folder_.path(), {"compile", "room.map", "--wad", "art.wad", "-o", "b.bsp"}).exit_status, 0);
+  EXPECT_EQ(read_level("b.bsp").miptexes, bsp.miptexes);
+  const ProgramRun without = run_program(folder_.path(), {"compile", "room.map", "--textures", "nowhere"});
+  EXPECT_EQ(without.exit_status, 1);
+  EXPECT_TRUE(is_one_error_line(without.err)) << without.err;
+  EXPECT_THAT(without.err, HasSubstr("nowhere"));
+}
+
+// A level that is there stays until the new one is whole.
+TEST_F(CompileProgram, FailureLeavesTheOldLevel) {
+  folder_.write("room.map", lit_room());
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map"}).exit_status, 0);
+  const std::string before = read_text(folder_.path() / "room.bsp");
+  folder_.write("room.map", lit_room() + "{");
+  EXPECT_EQ(run_program(folder_.path(), {"compile", "room.map"}).exit_status, 1);
+  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), before);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "room.bsp.new"));
+}
+
+}  // namespace
+}  // namespace temblor::test

@@ -1,0 +1,320 @@
+// `temblor inspect`: every format, held against what was written.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "formats/archives/pak.h"
+#include "formats/archives/pk3.h"
+#include "formats/archives/wad.h"
+#include "formats/images/picture.h"
+#include "formats/images/wad3_texture.h"
+#include "formats/levels/entities.h"
+#include "formats/levels/lit.h"
+#include "formats/sounds/wav.h"
+#include "support/game_data.h"
+#include "support/levels/room_map.h"
+#include "support/models/small_models.h"
+#include "support/programs/progs_builder.h"
+#include "support/programs/small_game.h"
+
+namespace temblor::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class InspectProgram : public ::testing::Test {
+ protected:
+  json inspect(const std::string& name, base::Bytes bytes) {
+    folder_.write(name, bytes);
+    const ProgramRun run = run_program(folder_.path(), {"inspect", "--json", name});
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    EXPECT_THAT(run.err, IsEmpty());
+    json object = json::parse(run.out);
+    EXPECT_EQ(object.at("file"), name);
+    EXPECT_TRUE(object.at("problems").is_array());
+    return object;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(InspectProgram, LevelsOfAllVersions) {
+  const SmallGame game;
+  const formats::Bsp& level = game.level();
+  for (const auto version :
+       {formats::BspVersion::k29, formats::BspVersion::k2Psb, formats::BspVersion::kBsp2}) {
+    const json object = inspect("x.bsp", game.level_bytes(version));
+    EXPECT_EQ(object.at("format"), "level");
+    EXPECT_EQ(object.at("version"), formats::name_of(version));
+    EXPECT_EQ(object.at("counts").at("faces"), level.faces.size());
+    EXPECT_EQ(object.at("counts").at("leaves"), level.leaves.size());
+    EXPECT_EQ(object.at("counts").at("light samples"), level.lighting.size());
+    EXPECT_EQ(object.at("entities").at("info_player_start"), 1);
+    EXPECT_EQ(object.at("colored light"), true);
+    EXPECT_EQ(object.at("BSPX lumps").at(0).at("name"), "RGBLIGHTING");
+    EXPECT_TRUE(object.at("problems").empty()) << object.at("problems");
+  }
+}
+
+TEST_F(InspectProgram, Sounds) {
+  formats::Wav wav{.frames_per_second = 11025, .channels = 2, .bits = 16, .samples = {}, .loop = {}};
+  wav.samples.assign(2 * 11025, 0);
+  wav.loop = formats::WavLoop{100, 200};
+  const json object = inspect("x.wav", formats::write_wav(wav));
+  EXPECT_EQ(object.at("format"), "sound");
+  EXPECT_EQ(object.at("frames a second"), 11025);
+  EXPECT_EQ(object.at("channels"), 2);
+  EXPECT_EQ(object.at("bits"), 16);
+  EXPECT_EQ(object.at("seconds"), 1.0);
+  EXPECT_EQ(object.at("loop").at("from frame"), 100);
+  EXPECT_EQ(object.at("loop").at("to frame"), 200);
+  EXPECT_EQ(object.at("problems"),
+            json::array({"it is silent", "several channels: the game folds them into one"}));
+}
+
+TEST_F(InspectProgram, ProblemsOfALevelThatCanBeDrawn) {
+  const SmallGame game({.pvs = false, .light = false, .missing_texture = true});
+  const json object = inspect("x.bsp", game.level_bytes(formats::BspVersion::k29));
+  const std::string problems = object.at("problems").dump();
+  EXPECT_THAT(problems, HasSubstr("no PVS"));
+  EXPECT_THAT(problems, HasSubstr("no light"));
+  EXPECT_THAT(problems, HasSubstr("checker"));
+}
+
+TEST_F(InspectProgram, ContentSaysMoreThanTheName) {
+  const SmallGame game;
+  EXPECT_EQ(inspect("level.wad", game.level_bytes(formats::BspVersion::k29)).at("format"), "level");
+}
+
+TEST_F(InspectProgram, LightAndEntities) {
+  const formats::Lit lit{std::vector<std::uint8_t>(3 * 77)};
+  EXPECT_EQ(inspect("x.lit", formats::write_lit(lit)).at("light samples"), 77);
+  const json entities =
+      inspect("x.ent", base::as_bytes("{ \"classname\" \"light\" }\n{ }\n{\"classname\" \"light\"}"));
+  EXPECT_EQ(entities.at("count"), 3);
+  EXPECT_EQ(entities.at("classes").at("light"), 2);
+  EXPECT_THAT(entities.at("problems").dump(), HasSubstr("worldspawn"));
+}
+
+TEST_F(InspectProgram, Archives) {
+  const formats::Picture picture{2, 3, {255, 1, 2, 3, 4, 255}};
+  const base::ByteVector lump = formats::write_picture(picture);
+  const std::vector<formats::ArchiveFile> files = {{"a.txt", base::as_bytes("hello")}, {"gfx/b.lmp", lump}};
+  const json pak = inspect("x.pak", formats::write_pak(files).value());
+  EXPECT_EQ(pak.at("count"), 2);
+  EXPECT_EQ(pak.at("files").at(0), (json{{"name", "a.txt"}, {"bytes", 5}}));
+  EXPECT_EQ(pak.at("files").at(1).at("name"), "gfx/b.lmp");
+  const json pk3 = inspect("x.pk3", formats::write_pk3(files).value());
+  EXPECT_EQ(pk3.at("format"), "PK3");
+  EXPECT_EQ(pk3.at("files"), pak.at("files"));
+
+  const std::vector<formats::WadLump> lumps = {{"PIC", formats::kWadPicture, lump},
+                                               {"BAD", formats::kWadTexture, base::as_bytes("no texture")}};
+  const json wad = inspect("x.wad", formats::write_wad(lumps).value());
+  EXPECT_EQ(wad.at("count"), 2);
+  EXPECT_EQ(wad.at("lumps").at(0).at("bytes"), lump.size());
+  EXPECT_THAT(wad.at("problems").dump(), HasSubstr("BAD"));
+
+  formats::Wad3Texture texture{{"{crate", 16, 16, {}}, {}};
+  for (unsigned k = 0; k < 4; ++k) texture.texture.mips[k].resize(std::size_t{16u >> k} * (16u >> k));
+  const base::ByteVector texture_bytes = formats::write_wad3_texture(texture).value();
+  base::ByteVector wad3_bytes =
+      formats::write_wad(std::vector<formats::WadLump>{{"{crate", formats::kWad3Texture, texture_bytes}})
+          .value();
+  wad3_bytes[3] = std::byte{'3'};
+  const json wad3 = inspect("y.wad", wad3_bytes);
+  EXPECT_EQ(wad3.at("format"), "WAD3");
+  EXPECT_EQ(wad3.at("lumps").at(0).at("width"), 16);
+  EXPECT_TRUE(wad3.at("problems").empty());
+}
+
+TEST_F(InspectProgram, CompiledQuakeC) {
+  ProgsBuilder builder;
+  const int health = builder.named("health", formats::ProgsType::kFloat);
+  builder.builtin("dprint", 25);
+  builder.function("main", {1}, 2);
+  builder.emit(vm::Opcode::kAddF, health, health, 4);
+  builder.emit(vm::Opcode::kDone);
+  const json object = inspect("progs.dat", formats::write_progs(builder.progs()));
+  EXPECT_EQ(object.at("format"), "compiled QuakeC");
+  EXPECT_EQ(object.at("crc"), 5927);
+  EXPECT_EQ(object.at("counts").at("statements"), 3);
+  EXPECT_EQ(object.at("counts").at("functions"), 3);
+  EXPECT_EQ(object.at("functions").at(0),
+            json::parse(R"({"name": "dprint", "file": "test.qc", "built in": 25})"));
+  EXPECT_EQ(object.at("functions").at(1).at("locals"), 3);
+  EXPECT_EQ(object.at("code"), json::array({"main (test.qc)", "     1  ADD_F      health, health, parm0",
+                                            "     2  DONE       0"}));
+  EXPECT_TRUE(object.at("problems").empty());
+
+  builder.progs().crc = 1;
+  builder.function("main");
+  builder.emit(vm::Opcode::kDone);
+  const std::string problems =
+      inspect("other.dat", formats::write_progs(builder.progs())).at("problems").dump();
+  EXPECT_THAT(problems, HasSubstr("CRC 1, not 5927"));
+  EXPECT_THAT(problems, HasSubstr("functions 2 and 3 are both called"));
+}
+
+TEST_F(InspectProgram, PicturesPalettesAndColormaps) {
+  const json picture = inspect("x.lmp", formats::write_picture({2, 3, {255, 1, 2, 3, 4, 255}}));
+  EXPECT_EQ(picture.at("width"), 2);
+  EXPECT_EQ(picture.at("height"), 3);
+  EXPECT_EQ(picture.at("transparent pixels"), 2);
+  // A picture 29 pixels wide starts with the bytes of a level of version 29.
+  EXPECT_EQ(inspect("wide.lmp", formats::write_picture({29, 1, std::vector<std::uint8_t>(29)})).at("format"),
+            "picture");
+
+  formats::Palette palette{};
+  palette[3] = {0x12, 0xab, 0xff};
+  const json colors = inspect("palette.lmp", formats::write_palette(palette));
+  EXPECT_EQ(colors.at("colors").size(), 256u);
+  EXPECT_EQ(colors.at("colors").at(3), "12abff");
+
+  formats::Colormap colormap;
+  for (std::size_t i = 0; i < colormap.rows.size(); ++i) colormap.rows[i] = static_cast<std::uint8_t>(i);
+  EXPECT_TRUE(inspect("colormap.lmp", formats::write_colormap(colormap)).at("problems").empty());
+  colormap.rows[31 * 256 + 7] = 8;    // normal light
+  colormap.rows[63 * 256 + 255] = 0;  // a full-bright color
+  EXPECT_EQ(inspect("colormap.lmp", formats::write_colormap(colormap)).at("problems").size(), 2u);
+}
+
+TEST_F(InspectProgram, Models) {
+  const formats::Mdl mdl = small_mdl();
+  const json object = inspect("x.mdl", formats::write_mdl(mdl));
+  EXPECT_EQ(object.at("format"), "model");
+  // Its bytes go from 0 to 255 along each axis.
+  EXPECT_EQ(object.at("mins"), (json{-8.0, -4.0, 2.5}));
+  EXPECT_EQ(object.at("maxs"), (json{-8 + 255 * 0.5, -4 + 255 * 0.25, 2.5 + 255}));
+  EXPECT_EQ(object.at("eye"), (json{1.0, 2.0, 3.0}));
+  EXPECT_EQ(object.at("skin width"), 7);
+  EXPECT_EQ(object.at("flags"), (json{"rotate", "tracer 3"}));
+  EXPECT_EQ(object.at("counts"), (json{{"vertices", 4},
+                                       {"triangles", 4},
+                                       {"skins", 2},
+                                       {"skin pictures", 3},
+                                       {"frames", 2},
+                                       {"poses", 4}}));
+  EXPECT_EQ(object.at("skins").at(0), (json{{"pictures", 1}}));
+  EXPECT_EQ(object.at("skins").at(1), (json{{"pictures", 2}, {"seconds", 1.0}}));
+  EXPECT_EQ(object.at("frames").at(0), (json{{"name", "stand"}, {"poses", 1}}));
+  EXPECT_EQ(object.at("frames").at(1), (json{{"name", "run1"}, {"poses", 3}, {"seconds", 0.5}}));
+  // Seven texels are not a multiple of four: all else is as it should be.
+  EXPECT_EQ(object.at("problems").size(), 1u) << object.at("problems");
+  EXPECT_THAT(object.at("problems").dump(), HasSubstr("7 texels wide"));
+}
+
+TEST_F(InspectProgram, ProblemsOfAModelThatCanBeDrawn) {
+  formats::Mdl mdl = small_mdl();
+  const auto problems_of = [&](const formats::Mdl& model, std::size_t tail_bytes = 0) {
+    base::ByteVector bytes = formats::write_mdl(model);
+    bytes.resize(bytes.size() + tail_bytes);
+    return inspect("x.mdl", bytes).at("problems").dump();
+  };
+  mdl.skin_width = 4;
+  mdl.skins = {{{std::vector<std::uint8_t>(4 * 3)}, {}}};
+  mdl.texels = {{false, 0, 0}, {true, 1, 0}, {true, 1, 2}, {false, 3, 2}};
+  EXPECT_EQ(problems_of(mdl), "[]");
+  EXPECT_THAT(problems_of(mdl, 5), HasSubstr("5 bytes follow the last frame"));
+
+  formats::Mdl lying = mdl;
+  lying.frames[1].poses[2].maxs.position[1] = 254;
+  lying.frames[1].maxs.position[2] = 254;
+  EXPECT_THAT(problems_of(lying), HasSubstr("outside their own box: 1 (the first is frame 1)"));
+  EXPECT_THAT(problems_of(lying), HasSubstr("outside the group's box: 1 (the first is frame 1)"));
+
+  formats::Mdl idle = mdl;
+  idle.triangles = {{true, {0, 1, 1}}};
+  EXPECT_THAT(problems_of(idle), HasSubstr("vertices that no triangle uses: 2"));
+  EXPECT_THAT(problems_of(idle), HasSubstr("triangles that use a vertex twice: 1"));
+
+  // Vertex 1 is on the seam, and 2 of the 4 triangles face the back: one of those uses it.
+  formats::Mdl off_skin = mdl;
+  off_skin.texels[1].s = 2;
+  EXPECT_THAT(problems_of(off_skin), HasSubstr("off the skin: 1\""));
+
+  formats::Mdl large = mdl;
+  large.texels.resize(2001);
+  for (formats::MdlFrame& frame : large.frames)
+    for (formats::MdlPose& pose : frame.poses) pose.vertices.resize(2001);
+  large.flags |= 1u << 14;
+  EXPECT_THAT(problems_of(large), HasSubstr("2001 vertices: the original engine allows 2000"));
+  EXPECT_THAT(problems_of(large), HasSubstr("unknown bits"));
+}
+
+TEST_F(InspectProgram, Sprites) {
+  formats::Spr spr = small_spr();
+  const json object = inspect("x.spr", formats::write_spr(spr));
+  EXPECT_EQ(object.at("format"), "sprite");
+  EXPECT_EQ(object.at("orientation"), "parallel oriented");
+  EXPECT_EQ(object.at("counts"), (json{{"frames", 2}, {"pictures", 3}}));
+  EXPECT_EQ(object.at("frames").at(0),
+            (json{{"pictures", 1}, {"left", -1}, {"up", 1}, {"width", 3}, {"height", 2}}));
+  EXPECT_EQ(object.at("frames").at(1).at("seconds"), 0.75);
+  EXPECT_TRUE(object.at("problems").empty()) << object.at("problems");
+
+  spr.max_width = 2;
+  spr.frames[1].pictures[1].texels = {255, 255};
+  base::ByteVector bytes = formats::write_spr(spr);
+  bytes.push_back(std::byte{1});
+  const std::string problems = inspect("x.spr", bytes).at("problems").dump();
+  EXPECT_THAT(problems, HasSubstr("larger than the header's largest: 1 (the first is frame 0)"));
+  EXPECT_THAT(problems, HasSubstr("without a visible texel: 1 (the first is frame 1)"));
+  EXPECT_THAT(problems, HasSubstr("1 bytes follow"));
+}
+
+TEST_F(InspectProgram, Maps) {
+  const std::string text = entity_text("worldspawn", "", walls_text({-64, -64, 0}, {64, 64, 64}, "wall")) +
+                           point_text("light", {0, 0, 8}) + entity_text("func_door", "", "{\n}\n");
+  const json object = inspect("x.map", base::as_bytes(text));
+  EXPECT_EQ(object.at("format"), "map");
+  EXPECT_EQ(object.at("counts"), (json{{"entities", 3}, {"brushes", 7}, {"sides", 36}, {"textures", 1}}));
+  EXPECT_EQ(object.at("texture alignment, by sides"), (json{{"standard", 36}}));
+  EXPECT_EQ(object.at("classes"), (json{{"func_door", 1}, {"light", 1}, {"worldspawn", 1}}));
+  const std::string problems = object.at("problems").dump();
+  EXPECT_THAT(problems, HasSubstr("no info_player_start"));
+  EXPECT_THAT(problems, HasSubstr("entity 2, brush 0, line"));
+}
+
+TEST_F(InspectProgram, TextHasTheSameFacts) {
+  const SmallGame game;
+  const ProgramRun run = run_program(game.path(), {"inspect", "id1/maps/small.bsp"});
+  EXPECT_EQ(run.exit_status, 0);
+  EXPECT_THAT(run.out, HasSubstr("version: 29\n"));
+  EXPECT_THAT(run.out, HasSubstr(fmt::format("  faces: {}\n", game.level().faces.size())));
+  EXPECT_THAT(run.out, HasSubstr("  info_player_start: 1\n"));
+  EXPECT_THAT(run.out, HasSubstr("problems: none\n"));
+}
+
+TEST_F(InspectProgram, ARefusedFileIsAnErrorInBothForms) {
+  folder_.write("x.bsp", "BSP2 and nothing else");
+  const ProgramRun run = run_program(folder_.path(), {"inspect", "--json", "x.bsp"});
+  EXPECT_EQ(run.exit_status, 1);
+  EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
+  EXPECT_FALSE(json::parse(run.out).at("error").get<std::string>().empty());
+}
+
+TEST_F(InspectProgram, NamesInAnyEncodingGiveValidJson) {
+  const std::vector<formats::ArchiveFile> files = {{"caf\xe9.txt", {}}};
+  EXPECT_EQ(inspect("x.pak", formats::write_pak(files).value()).at("count"), 1);
+}
+
+TEST_F(InspectProgram, StockFiles) {
+  DATA_FOLDER_OR_SKIP(data);
+  const std::filesystem::path base = std::filesystem::absolute(data);
+  for (const char* name :
+       {"id1/maps/start.bsp", "id1/maps/start.lit", "id1/gfx.wad", "id1/gfx/palette.lmp",
+        "id1/gfx/colormap.lmp", "id1/gfx/conback.lmp", "id1/progs/player.mdl", "id1/progs/s_explod.spr"}) {
+    const ProgramRun run = run_program(base, {"inspect", "--json", name});
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    EXPECT_EQ(json::parse(run.out).at("file"), name);
+  }
+}
+
+}  // namespace
+}  // namespace temblor::test

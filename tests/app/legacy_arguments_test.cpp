@@ -1,0 +1,41 @@
+#include "app/commands/legacy_arguments.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace temblor::test {
+namespace {
+
+using ::testing::ElementsAre;
+
+std::vector<std::string> ours(const std::vector<const char*>& words) {
+  const std::vector<std::string> commands = {"play", "serve", "render"};
+  return app::from_legacy_arguments(words, commands);
+}
+
+TEST(StockArguments, PlusBeginsACommandForTheConsole) {
+  EXPECT_THAT(ours({"play", "+skill", "2", "+map", "start"}),
+              ElementsAre("play", "--exec", "skill 2", "--exec", "map start"));
+  EXPECT_THAT(ours({"serve", "+deathmatch", "1", "--port", "26001", "+map", "dm1"}),
+              ElementsAre("serve", "--port", "26001", "--exec", "deathmatch 1", "--exec", "map dm1"));
+}
+
+TEST(StockArguments, WithoutACommandOfOursTheGameIsMeant) {
+  EXPECT_THAT(ours({"-basedir", "quake", "-game", "mod", "+map", "e1m1"}),
+              ElementsAre("--basedir", "quake", "--game", "mod", "play", "--exec", "map e1m1"));
+}
+
+TEST(StockArguments, WordsWithBlanksStayOne) {
+  EXPECT_THAT(ours({"play", "+name", "the player"}), ElementsAre("play", "--exec", "name \"the player\""));
+}
+
+TEST(StockArguments, OtherWordsStayAsTheyAre) {
+  EXPECT_THAT(ours({"render", "--map", "start", "-o", "+0button.png"}),
+              ElementsAre("render", "--map", "start", "-o", "+0button.png"));
+  EXPECT_THAT(ours({"-game", "mod", "render", "+map", "start"}),
+              ElementsAre("--game", "mod", "render", "+map", "start"));
+  EXPECT_THAT(ours({}), ElementsAre());
+}
+
+}  // namespace
+}  // namespace temblor::test

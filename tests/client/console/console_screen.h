@@ -1,0 +1,108 @@
+// A console with what it needs around it, and what it draws read back as text.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "assets/pictures.h"
+#include "client/console/console_ui.h"
+#include "command/console.h"
+#include "support/programs/temporary_folder.h"
+
+namespace temblor::test {
+
+// Stand-ins only.
+inline const assets::Pictures& no_pictures() {
+  static const assets::Pictures pictures = [] {
+    const TemporaryFolder folder;
+    folder.write("id1/empty.txt", base::ByteVector{});
+    std::vector<std::string> notes;
+    return assets::Pictures::load(vfs::FileSystem::open(folder.path()).value(), notes);
+  }();
+  return pictures;
+}
+
+struct ConsoleScreen {
+  ConsoleScreen() {
+    variables.add_int("m_speed", 3, 0, 20, "How far the mouse turns.");
+    variables.add_bool("m_filter", false, "Smooths it.");
+    console.add_command("map", "map NAME starts a level.", [](command::Console::Arguments) {});
+  }
+
+  // Pressed and let go. Whether it was taken.
+  bool press(platform::Key key) {
+    const bool taken = ui.handle({0, platform::KeyChange{key, true, false}});
+    EXPECT_FALSE(ui.handle({0, platform::KeyChange{key, false, false}}));
+    return taken;
+  }
+  bool press(char key) { return press(platform::Key{static_cast<std::uint16_t>(key)}); }
+  bool with(platform::Key held, platform::Key key) {
+    ui.handle({0, platform::KeyChange{held, true, false}});
+    const bool taken = press(key);
+    ui.handle({0, platform::KeyChange{held, false, false}});
+    return taken;
+  }
+  bool ctrl(char key) { return with(platform::Key::kCtrl, platform::Key{static_cast<std::uint16_t>(key)}); }
+  // As a keyboard does: the key, then its text.
+  void type(const std::string& text) {
+    for (const char c : text) {
+      press(c);
+      ui.handle({0, platform::TextTyped{std::string(1, c)}});
+    }
+  }
+  void enter(const std::string& text) {
+    type(text);
+    press(platform::Key::kEnter);
+  }
+
+  // At the view's time.
+  const render::DrawList& draw(int width = 320, int height = 200) {
+    list.clear();
+    ui.draw(view, width, height, list);
+    return list;
+  }
+  // The same as rows of text from the top, without colors, by the frame's row of pixels; '@' is the cursor.
+  std::map<int, std::string> rows(int width = 320, int height = 200) {
+    std::map<int, std::string> rows;
+    for (const render::DrawCommand& command : draw(width, height).commands) {
+      if (command.picture != &no_pictures().characters()) continue;
+      const auto column = static_cast<std::size_t>(command.area.x / (8 * command.scale));
+      std::string& row = rows[command.area.y];
+      row.resize(std::max(row.size(), column + 1), ' ');
+      const int character = (command.part_y / 8 * 16 + command.part_x / 8) % 128;
+      row[column] = character == 11 ? '@' : static_cast<char>(character);
+    }
+    return rows;
+  }
+  std::vector<std::string> lines(int width = 320, int height = 200) {
+    std::vector<std::string> lines;
+    for (const auto& [y, row] : rows(width, height)) lines.push_back(row);
+    return lines;
+  }
+  // Open and slid down all the way.
+  void open() {
+    ui.open();
+    draw();
+    view.time_s += 10;
+    draw();
+  }
+  // What stands in the line that is typed, the cursor a '|'.
+  std::string typed_line() {
+    view.time_s = 0.75;  // the cursor is not to be seen
+    const std::map<int, std::string> shown = rows(8192, 200);
+    return shown.empty() ? "" : std::prev(shown.end())->second;
+  }
+
+  command::Variables variables;
+  command::Console console{
+      variables, [this](std::string_view line) { ui.print_utf8(std::string(line) + "\n", view.time_s); }};
+  std::string clipboard;
+  client::ConsoleUi ui{{.complete = [this](std::string_view line) { return console.complete_line(line); },
+                        .read_clipboard = [this] { return clipboard; },
+                        .write_clipboard = [this](std::string_view text) { clipboard = text; }}};
+  client::ConsoleView view{.pictures = no_pictures(), .version = "", .settings = {}};
+  render::DrawList list;
+};
+
+}  // namespace temblor::test

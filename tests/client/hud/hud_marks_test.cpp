@@ -1,0 +1,140 @@
+// Marks on the head-up display: the crosshair, and what is told by shapes beside colors.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "client/hud/hud.h"
+#include "client/hud/panel.h"
+#include "support/programs/temporary_folder.h"
+
+namespace temblor::client {
+namespace {
+
+// Without a file, nothing but fills is seen of it.
+const assets::Pictures& no_pictures() {
+  static const assets::Pictures pictures = [] {
+    const test::TemporaryFolder folder;
+    folder.write("id1/nothing", std::string_view("."));
+    std::vector<std::string> notes;
+    return assets::Pictures::load(vfs::FileSystem::open(folder.path()).value(), notes);
+  }();
+  return pictures;
+}
+
+Game game_with(int health, int armor, int ammo) {
+  Game game;
+  game.stats[static_cast<std::size_t>(Stat::kHealth)] = health;
+  game.stats[static_cast<std::size_t>(Stat::kArmor)] = armor;
+  game.stats[static_cast<std::size_t>(Stat::kAmmo)] = ammo;
+  return game;
+}
+
+struct Fill {
+  int left, top, right, bottom, index;
+};
+
+std::vector<Fill> fills(const Game& game, int width, int height, const HudSettings& settings) {
+  render::DrawList list;
+  Hud(no_pictures()).draw(game, 1000, width, height, settings, list);
+  std::vector<Fill> found;
+  for (const render::DrawCommand& command : list.commands)
+    if (command.picture == nullptr)
+      found.push_back({command.area.x, command.area.y, command.area.x + command.area.width,
+                       command.area.y + command.area.height, command.fill});
+  return found;
+}
+
+HudSettings with_crosshair(Crosshair shape) {
+  HudSettings settings;
+  settings.crosshair = {shape, 251};
+  return settings;
+}
+
+TEST(HudMarks, CrosshairLiesAboutTheMiddleOfEveryFrame) {
+  for (const auto& [width, height] : {std::pair(320, 200), {641, 480}, {1920, 1080}, {3840, 2160}})
+    for (const Crosshair shape : {Crosshair::kDot, Crosshair::kLines}) {
+      SCOPED_TRACE(testing::Message() << width << "x" << height);
+      const auto found = fills(game_with(100, 100, 100), width, height, with_crosshair(shape));
+      ASSERT_FALSE(found.empty());
+      int left = width, right = 0, top = height, bottom = 0;
+      for (const Fill& fill : found) {
+        left = std::min(left, fill.left), right = std::max(right, fill.right);
+        top = std::min(top, fill.top), bottom = std::max(bottom, fill.bottom);
+      }
+      const int line_px = std::max(1, height / 540);
+      EXPECT_NEAR(left + right, width, 2 * line_px + 1);
+      EXPECT_NEAR(top + bottom, height, 2 * line_px + 1);
+      EXPECT_EQ(right - left, bottom - top);
+      EXPECT_LE(right - left, 22 * line_px) << "no more than what is shot at";
+      EXPECT_TRUE(std::ranges::any_of(found, [](const Fill& fill) { return fill.index == 251; }));
+    }
+}
+
+TEST(HudMarks, LinesLeaveTheMiddleFree) {
+  for (const Fill& fill : fills(game_with(100, 0, 0), 640, 480, with_crosshair(Crosshair::kLines)))
+    EXPECT_FALSE(fill.left <= 320 && fill.right > 320 && fill.top <= 240 && fill.bottom > 240);
+}
+
+TEST(HudMarks, NoCrosshairUnlessWantedAndAlive) {
+  EXPECT_TRUE(fills(game_with(100, 100, 100), 640, 480, {}).empty());
+  HudSettings settings = with_crosshair(Crosshair::kDot);
+  settings.status_bar = StatusBar::kNone;
+  EXPECT_FALSE(fills(game_with(1, 0, 0), 640, 480, settings).empty());
+  EXPECT_TRUE(fills(game_with(0, 0, 0), 640, 480, settings).empty());
+  Game over = game_with(100, 100, 100);
+  over.ending = Ending::kIntermission;
+  EXPECT_TRUE(fills(over, 640, 480, settings).empty());
+}
+
+// Strokes over the well that begins at `x` of the bar, whose upper edge is at 200 - 24.
+std::ptrdiff_t strokes_in_well(const std::vector<Fill>& found, int x) {
+  return std::ranges::count_if(found, [x](const Fill& fill) {
+    return fill.index == 15 && fill.left >= x && fill.right <= x + 24 && fill.top >= 200 - 24;
+  });
+}
+
+TEST(HudMarks, SafeColorsMarkLowNumbers) {
+  HudSettings settings;
+  settings.safe_colors = true;
+  constexpr int kArmorX = 24, kHealthX = 136, kAmmoX = 248;
+  const auto low = fills(game_with(25, 25, 10), 320, 200, settings);
+  const auto good = fills(game_with(26, 26, 11), 320, 200, settings);
+  for (const int x : {kArmorX, kHealthX, kAmmoX}) {
+    EXPECT_EQ(strokes_in_well(low, x), 2) << x;
+    EXPECT_EQ(strokes_in_well(good, x), 0) << x;
+  }
+  EXPECT_TRUE(fills(game_with(25, 25, 10), 320, 200, {}).empty());
+}
+
+TEST(HudMarks, SafeColorsCountTheKindOfArmor) {
+  HudSettings settings;
+  settings.safe_colors = true;
+  constexpr std::uint32_t kFirstArmorItem = 1u << 13;
+  for (int kind = 1; kind <= 3; ++kind) {
+    Game game = game_with(100, 100, 100);
+    game.data.items = kFirstArmorItem << (kind - 1);
+    EXPECT_EQ(strokes_in_well(fills(game, 320, 200, settings), 0), kind);
+  }
+}
+
+TEST(HudMarks, SafeColorsNameTheKeys) {
+  HudSettings settings;
+  settings.safe_colors = true;
+  Game game = game_with(100, 100, 100);
+  constexpr std::uint32_t kKeys[] = {1u << 17, 1u << 18};
+  for (const auto& [key, letter] : {std::pair(kKeys[0], 'S'), std::pair(kKeys[1], 'G')}) {
+    game.data.items = key;
+    render::DrawList list;
+    Hud(no_pictures()).draw(game, 1000, 320, 200, settings, list);
+    EXPECT_EQ(std::ranges::count_if(list.commands,
+                                    [letter](const render::DrawCommand& command) {
+                                      return command.picture == &no_pictures().characters() &&
+                                             command.part_y / 8 * 16 + command.part_x / 8 == letter;
+                                    }),
+              1);
+  }
+}
+
+}  // namespace
+}  // namespace temblor::client

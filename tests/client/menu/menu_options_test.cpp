@@ -1,0 +1,279 @@
+// Options: rows and the variables behind them, and keys.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "client/menu/menu_by_hand.h"
+
+namespace temblor::client {
+namespace {
+
+using platform::Key;
+using test::MenuByHand;
+using test::WrittenRow;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class MenuOptions : public testing::Test {
+ protected:
+  const std::string& value(const char* variable) { return hand_.variables().find(variable)->text; }
+  void expect_at(MenuPage page, const char* row) {
+    hand_.menu().open(page);
+    ASSERT_TRUE(hand_.go_to(row)) << row << '\n' << hand_.all_text();
+  }
+  MenuByHand hand_;
+};
+
+TEST_F(MenuOptions, SwitchSlideAndChoose) {
+  expect_at(MenuPage::kVideo, "Vertical sync");
+  EXPECT_THAT(hand_.selected(), HasSubstr("off"));
+  hand_.press(Key::kEnter);
+  EXPECT_EQ(value("vid_vsync"), "1");
+  EXPECT_THAT(hand_.selected(), HasSubstr("on"));
+  hand_.press(Key::kLeftArrow);
+  EXPECT_EQ(value("vid_vsync"), "0");
+
+  expect_at(MenuPage::kVideo, "Colors");
+  hand_.press(Key::kPadRight);
+  EXPECT_EQ(value("vid_color"), "indexed");
+  hand_.press(Key::kPadRight);
+  EXPECT_EQ(value("vid_color"), "rgb") << "round the end";
+
+  expect_at(MenuPage::kVideo, "Field of view");
+  hand_.press(Key::kRightArrow);
+  EXPECT_EQ(value("fov"), "95");
+  for (int i = 0; i < 40; ++i) hand_.press(Key::kRightArrow);
+  EXPECT_EQ(value("fov"), "130") << "the slider's end, not the variable's";
+  ASSERT_TRUE(hand_.variables().set("fov", "92.5").ok());
+  hand_.press(Key::kLeftArrow);
+  EXPECT_EQ(value("fov"), "90") << "onto the next step";
+  ASSERT_TRUE(hand_.variables().set("fov", "92.5").ok());
+  hand_.press(Key::kRightArrow);
+  EXPECT_EQ(value("fov"), "95") << "alike";
+  ASSERT_TRUE(hand_.variables().set("fov", "170").ok());
+  EXPECT_THAT(hand_.selected(), HasSubstr("170")) << "what lies outside is told as it is";
+
+  expect_at(MenuPage::kVideo, "Frame limit");
+  EXPECT_THAT(hand_.selected(), HasSubstr("none"));
+  ASSERT_TRUE(hand_.variables().set("bgmvolume", "0.5").ok());
+  expect_at(MenuPage::kSound, "Music");
+  EXPECT_THAT(hand_.selected(), HasSubstr("50%"));
+  hand_.press(Key::kRightArrow);
+  EXPECT_EQ(value("bgmvolume"), "0.55");
+}
+
+TEST_F(MenuOptions, TellTheHelpAndNameOfTheirVariable) {
+  expect_at(MenuPage::kVideo, "Gamma");
+  EXPECT_THAT(hand_.all_text(), HasSubstr("Below 1: brighter. (gamma)"));
+}
+
+TEST_F(MenuOptions, LeaveOutWhatIsNotRegistered) {
+  command::Variables variables;
+  variables.add_float("gamma", 1, 0.5, 2, "Gamma.");
+  Menu menu(variables, test::no_pictures(), {});
+  for (const MenuPage page : test::all_pages()) {
+    menu.open(page);
+    for (int i = 0; i < 100; ++i) {
+      menu.handle({0, platform::KeyChange{Key::kDownArrow, true, false}});
+      menu.handle({0, platform::KeyChange{Key::kRightArrow, true, false}});
+    }
+    render::DrawList list;
+    menu.draw(320, 200, 0, list);
+    EXPECT_EQ(list.commands.empty(), page == MenuPage::kNewGame) << "a new game begins at once";
+    menu.close();
+  }
+  EXPECT_NE(variables.find("gamma")->number, 1) << "the one that there is can be changed";
+}
+
+TEST_F(MenuOptions, SlidersFollowThePointer) {
+  expect_at(MenuPage::kSound, "Sounds");
+  const auto line = [&] {
+    for (const WrittenRow& row : hand_.read())
+      if (row.text.starts_with("Sounds")) return row;
+    return WrittenRow{};
+  };
+  const WrittenRow row = line();
+  const double y = (row.y_px + row.bottom_px) / 2.0;
+  // Where the slider is may be found out by pressing from left to right: the value rises from 0 to 1.
+  double first = -1, last = -1, before = -1;
+  for (int x = row.x_px + 100; x < row.right_px; x += 2) {
+    ASSERT_TRUE(hand_.variables().set("volume", "0.5").ok());
+    hand_.point(x, y);
+    hand_.press(Key::kMouse1);
+    const double now = hand_.variables().find("volume")->number;
+    if (now == 0) first = x;
+    if (now == 1 && last < 0) last = x;
+    if (first >= 0) {
+      EXPECT_GE(now, before);
+    }
+    before = first >= 0 ? now : -1;
+  }
+  ASSERT_GE(first, 0);
+  ASSERT_GT(last, first + 50);
+  hand_.point((first + last) / 2, y);
+  hand_.hold(Key::kMouse1, true);
+  EXPECT_NEAR(hand_.variables().find("volume")->number, 0.5, 0.06);
+  hand_.point(last + 300, y + 100);
+  EXPECT_EQ(value("volume"), "1") << "beyond the end, and off the row";
+  hand_.point(0, 0);
+  EXPECT_EQ(value("volume"), "0");
+  hand_.hold(Key::kMouse1, false);
+  hand_.point(last, y);
+  EXPECT_EQ(value("volume"), "0") << "let go";
+  EXPECT_THAT(hand_.selected(), StartsWith("Sounds"));
+}
+
+TEST_F(MenuOptions, DisplayIsChangedWhenApplied) {
+  expect_at(MenuPage::kVideo, "Size");
+  EXPECT_THAT(hand_.selected(), HasSubstr("1280 x 720"));
+  hand_.press(Key::kLeftArrow);
+  EXPECT_THAT(hand_.selected(), HasSubstr("1920 x 1080"));
+  ASSERT_TRUE(hand_.go_to("Shown in"));
+  EXPECT_THAT(hand_.selected(), HasSubstr("window"));
+  hand_.press(Key::kLeftArrow);
+  EXPECT_THAT(hand_.selected(), HasSubstr("fullscreen"));
+  EXPECT_EQ(value("vid_mode"), "window");
+  EXPECT_EQ(value("vid_width"), "1280");
+  ASSERT_TRUE(hand_.choose("Apply"));
+  EXPECT_EQ(value("vid_mode"), "fullscreen");
+  EXPECT_EQ(value("vid_width"), "1920");
+  EXPECT_EQ(value("vid_height"), "1080");
+  EXPECT_THAT(hand_.commands(), IsEmpty());
+  ASSERT_TRUE(hand_.go_to("Display"));
+  hand_.press(Key::kRightArrow);
+  ASSERT_TRUE(hand_.go_to("Size"));
+  hand_.press(Key::kRightArrow);
+  EXPECT_THAT(hand_.selected(), HasSubstr("2560 x 1440")) << "of the other display";
+  hand_.press(Key::kEscape);
+  expect_at(MenuPage::kVideo, "Size");
+  EXPECT_THAT(hand_.selected(), HasSubstr("1920 x 1080")) << "not applied, forgotten";
+}
+
+TEST_F(MenuOptions, DisplayRowsFollowAWindowThatIsResized) {
+  expect_at(MenuPage::kVideo, "Size");
+  const auto resize = [&] {
+    ASSERT_TRUE(hand_.variables().set("vid_width", "1000").ok());
+    ASSERT_TRUE(hand_.variables().set("vid_height", "700").ok());
+    hand_.menu().handle({0, platform::WindowChanged{}});
+  };
+  resize();
+  EXPECT_THAT(hand_.selected(), HasSubstr("1000 x 700"));
+  ASSERT_TRUE(hand_.variables().set("vid_width", "1280").ok());
+  hand_.press(Key::kRightArrow);
+  const std::string chosen = hand_.selected();
+  resize();
+  EXPECT_EQ(hand_.selected(), chosen) << "what was chosen stays so";
+}
+
+TEST_F(MenuOptions, GoBackToDefaults) {
+  expect_at(MenuPage::kSound, "Back to defaults");
+  hand_.press(Key::kEnter);
+  EXPECT_THAT(hand_.commands(), IsEmpty());
+  ASSERT_TRUE(hand_.choose("Yes"));
+  EXPECT_THAT(hand_.commands(), AllOf(Contains("reset volume"), Contains("reset bgmvolume")));
+  EXPECT_TRUE(hand_.menu().is_open());
+}
+
+TEST_F(MenuOptions, ColorsOfClothes) {
+  expect_at(MenuPage::kPlayer, "Shirt");
+  hand_.press(Key::kRightArrow);
+  EXPECT_EQ(value("topcolor"), "5");
+  EXPECT_EQ(value("bottomcolor"), "13");
+  ASSERT_TRUE(hand_.go_to("Pants"));
+  hand_.press(Key::kRightArrow);
+  EXPECT_EQ(value("bottomcolor"), "0") << "there are 14";
+  EXPECT_EQ(value("topcolor"), "5");
+}
+
+TEST_F(MenuOptions, TextSizeMakesLettersLarger) {
+  hand_.resize({1920, 1080});
+  hand_.menu().open(MenuPage::kAccessibility);
+  const auto height = [&] {
+    const WrittenRow row = hand_.read().back();
+    return row.bottom_px - row.y_px;
+  };
+  const int before = height();
+  ASSERT_TRUE(hand_.variables().set("scr_textsize", "2").ok());
+  EXPECT_GT(height(), before);
+  ASSERT_TRUE(hand_.variables().set("scr_textsize", "0.5").ok());
+  EXPECT_LT(height(), before);
+}
+
+TEST_F(MenuOptions, HighContrastIsOneColorOnBlack) {
+  hand_.menu().open(MenuPage::kKeys);
+  const auto second_colors = [&] {
+    const render::DrawList& list = hand_.draw();
+    return std::count_if(list.commands.begin(), list.commands.end(),
+                         [](const render::DrawCommand& command) { return command.part_y >= 64; });
+  };
+  EXPECT_GT(second_colors(), 0);
+  EXPECT_LT(hand_.draw().commands.front().opacity, 1);
+  ASSERT_TRUE(hand_.variables().set("con_highcontrast", "1").ok());
+  EXPECT_EQ(second_colors(), 0);
+  EXPECT_EQ(hand_.draw().commands.front().opacity, 1);
+}
+
+TEST_F(MenuOptions, KeysAreBound) {
+  expect_at(MenuPage::kKeys, "Forward");
+  EXPECT_THAT(hand_.selected(), HasSubstr("w or UPARROW"));
+  hand_.press(Key::kEnter);
+  EXPECT_FALSE(hand_.menu().wants_text());
+  EXPECT_THAT(hand_.all_text(), HasSubstr("press a key"));
+  hand_.hold(Key{'m'}, true);
+  hand_.menu().handle({0, platform::TextTyped{"m"}});
+  hand_.hold(Key{'m'}, false);
+  EXPECT_THAT(hand_.commands(), ElementsAre("bind m +forward"));
+  EXPECT_THAT(hand_.all_text(), Not(HasSubstr("Find:"))) << "the key's letter is no search";
+  hand_.press(Key::kBackspace);
+  EXPECT_THAT(hand_.commands(), ElementsAre("unbind w", "unbind UPARROW"));
+  ASSERT_TRUE(hand_.go_to("Next weapon"));
+  const Key keys[] = {Key::kWheelDown, Key::kMouse1, Key::kMouse2, Key::kPadA, Key::kPadB,
+                      Key::kUpArrow,   Key::kEnter,  Key{';'},     Key{'"'},   Key::kBackspace};
+  const char* const names[] = {"MWHEELDOWN", "MOUSE1", "MOUSE2",    "ABUTTON", "BBUTTON",
+                               "UPARROW",    "ENTER",  "SEMICOLON", "QUOTE",   "BACKSPACE"};
+  for (std::size_t i = 0; i < std::size(keys); ++i) {
+    hand_.press(Key::kPadA);
+    hand_.push_stick(0, 1);  // no button
+    hand_.push_stick(0, 0);
+    hand_.press(keys[i]);
+    EXPECT_THAT(hand_.commands(), ElementsAre(std::string("bind ") + names[i] + " \"impulse 10\""));
+    EXPECT_THAT(hand_.selected(), StartsWith("Next weapon"));
+  }
+  hand_.press(Key::kEnter);
+  hand_.press(Key::kEscape);
+  EXPECT_THAT(hand_.commands(), IsEmpty());
+  EXPECT_TRUE(hand_.menu().is_open());
+}
+
+TEST_F(MenuOptions, EveryStockActionCanBeBound) {
+  // The actions of the original's own page, and what a player binds besides.
+  for (const char* action :
+       {"+attack",   "impulse 10", "impulse 12",    "+jump",       "+forward",    "+back",
+        "+left",     "+right",     "+speed",        "+moveleft",   "+moveright",  "+strafe",
+        "+lookup",   "+lookdown",  "centerview",    "+mlook",      "+klook",      "+moveup",
+        "+movedown", "impulse 1",  "impulse 8",     "+showscores", "messagemode", "messagemode2",
+        "pause",     "screenshot", "toggleconsole", "save quick",  "load quick",  "+zoom"}) {
+    std::string asked_for;
+    MenuContent content;
+    content.keys_of = [&](std::string_view commands) {
+      return commands == action ? std::vector<Key>{Key::kF12} : std::vector<Key>{};
+    };
+    MenuByHand hand(content);
+    hand.menu().open(MenuPage::kKeys);
+    bool found = false;
+    for (int i = 0; i < 60 && !found; ++i) {
+      found = hand.selected().ends_with("F12");
+      hand.press(Key::kDownArrow);
+    }
+    EXPECT_TRUE(found) << action;
+  }
+}
+
+}  // namespace
+}  // namespace temblor::client

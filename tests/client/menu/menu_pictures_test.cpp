@@ -1,0 +1,80 @@
+// Every page over a bright scene, with stock pictures: for people to look at
+// (support/pictures/picture_file.h). What is held here is that a page draws the pictures of its game, and
+// stays in the frame.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "client/menu/menu_by_hand.h"
+#include "formats/images/palette.h"
+#include "render/renderer.h"
+#include "support/game_data.h"
+#include "support/pictures/picture_file.h"
+
+namespace temblor::client {
+namespace {
+
+using test::MenuByHand;
+
+// Stripes of all colors, brightest in the middle.
+void paint_scene(render::FrameBuffer& io_frame) {
+  for (int y = 0; y < io_frame.height(); ++y)
+    for (int x = 0; x < io_frame.width(); ++x)
+      io_frame.indexed()[static_cast<std::size_t>(y * io_frame.width() + x)] =
+          static_cast<std::uint8_t>((x * 24 / io_frame.width()) % 16 * 16 + 8 + (y / 16 + x / 16) % 8);
+}
+
+// As if seen from above: some rectangles.
+formats::Picture some_overview() {
+  formats::Picture picture{320, 200, std::vector<std::uint8_t>(320 * 200, 0)};
+  for (std::size_t y = 0; y < 200; ++y)
+    for (std::size_t x = 0; x < 320; ++x)
+      if ((x / 40 + y / 50) % 2 == 0)
+        picture.pixels[y * 320 + x] = static_cast<std::uint8_t>(96 + x % 40 / 4);
+  return picture;
+}
+
+TEST(MenuPictures, EveryPage) {
+  DATA_FOLDER_OR_SKIP(base);
+  std::vector<std::string> notes;
+  const auto files = vfs::FileSystem::open(base).value();
+  const assets::Pictures pictures = assets::Pictures::load(files, notes);
+  const formats::Palette palette = formats::read_palette(*files.read("gfx/palette.lmp")).value();
+  const render::Renderer painter(palette, formats::make_colormap(palette));
+  command::Variables variables;
+  test::register_menu_variables(variables);
+  const formats::Picture overview = some_overview();
+  MenuContent content = MenuByHand::some_content();
+  content.level_picture = content.save_picture = [&](std::string_view) { return &overview; };
+  content.unsaved = [] { return std::string("The game since the last save would be lost."); };
+  Menu menu(variables, pictures, content);
+
+  struct Size {
+    int width, height;
+  };
+  for (const Size& size : {Size{320, 200}, Size{640, 480}, Size{1920, 1080}, Size{600, 1500}})
+    for (int page = 0; page < static_cast<int>(MenuPage::kCount); ++page) {
+      menu.close();
+      menu.open(static_cast<MenuPage>(page));
+      menu.handle({0, platform::KeyChange{platform::Key::kDownArrow, true, false}});
+      render::FrameBuffer frame(size.width, size.height, render::PixelFormat::kIndexed);
+      paint_scene(frame);
+      render::DrawList list;
+      menu.draw(size.width, size.height, 0.1, list);
+      render::FrameStats stats;
+      painter.draw_overlay(list, frame, stats);
+      bool has_title_picture = false;
+      for (const render::DrawCommand& command : list.commands) {
+        has_title_picture |= command.picture == pictures.find_real("gfx/p_option.lmp");
+        if (command.picture == nullptr) continue;
+        EXPECT_GE(command.area.x, 0);
+        EXPECT_GE(command.area.y, 0);
+        EXPECT_LE(command.area.x + command.area.width, size.width);
+        EXPECT_LE(command.area.y + command.area.height, size.height);
+      }
+      EXPECT_EQ(has_title_picture, page == static_cast<int>(MenuPage::kOptions)) << page;
+      test::show_picture(fmt::format("menu_{}_{}", size.width, page), frame, palette);
+    }
+}
+
+}  // namespace
+}  // namespace temblor::client

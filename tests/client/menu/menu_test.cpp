@@ -1,0 +1,576 @@
+// Walks through the menus: what is to be read there, what is chosen, and what comes of it.
+#include "client/menu/menu.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "client/menu/menu_by_hand.h"
+
+namespace temblor::client {
+namespace {
+
+using platform::Key;
+using test::Device;
+using test::MenuByHand;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+constexpr Device kDevices[] = {Device::kKeyboard, Device::kGamepad, Device::kStick, Device::kMouse};
+constexpr MenuByHand::Size kSmallest{320, 200};
+
+struct Way {
+  std::vector<const char*> rows;  // chosen one after the other from the main page
+  const char* there;              // to be read on the page that they lead to
+};
+const std::vector<Way>& ways() {
+  static const std::vector<Way> the_ways = {
+      {{"Single player"}, "New game"},
+      {{"Single player", "New game"}, "First Episode"},
+      {{"Single player", "Load"}, "quick"},
+      {{"Single player", "Save"}, "A new save"},
+      {{"Single player", "Levels"}, "e1m1"},
+      {{"Multiplayer"}, "Join"},
+      {{"Multiplayer", "Join"}, "Attic"},
+      {{"Multiplayer", "Host"}, "Begin"},
+      {{"Multiplayer", "Host", "Level"}, "e1m2"},
+      {{"Multiplayer", "Player"}, "Shirt"},
+      {{"Options"}, "Accessibility"},
+      {{"Options", "Video"}, "Gamma"},
+      {{"Options", "Screen"}, "Crosshair"},
+      {{"Options", "Sound"}, "Music"},
+      {{"Options", "Controls"}, "Invert mouse"},
+      {{"Options", "Keys"}, "Forward"},
+      {{"Options", "Accessibility"}, "Text size"},
+      {{"Levels"}, "start"},
+      {{"Game folders"}, "mymod"},
+      {{"Demos"}, "demo2"},
+      {{"Help"}, "WASD"},
+  };
+  return the_ways;
+}
+
+TEST(Menu, EveryDeviceFindsEveryPageAndTheWayBack) {
+  for (const Device device : kDevices)
+    for (const MenuByHand::Size size : {kSmallest, MenuByHand::Size{1920, 1080}}) {
+      MenuByHand hand(MenuByHand::some_content(), size);
+      hand.menu().open();
+      for (const Way& way : ways()) {
+        SCOPED_TRACE(testing::Message()
+                     << way.there << ", device " << static_cast<int>(device) << ", " << size.width);
+        for (const char* row : way.rows) ASSERT_TRUE(hand.choose(row, device)) << row << hand.all_text();
+        EXPECT_THAT(hand.all_text(), HasSubstr(way.there));
+        for (std::size_t i = 0; i < way.rows.size(); ++i) hand.go_back(device);
+        EXPECT_THAT(hand.all_text(), HasSubstr("Single player"));
+        EXPECT_THAT(hand.commands(), IsEmpty());
+      }
+      hand.go_back(device);
+      EXPECT_FALSE(hand.menu().is_open());
+    }
+}
+
+// The rows that the cursor comes to, by their first word or two: what stands there before values.
+std::set<std::string> rows_that(MenuByHand& hand, const std::function<void()>& step) {
+  std::set<std::string> rows;
+  for (int i = 0; i < 120; ++i) {
+    rows.insert(hand.selected().substr(0, 12));
+    step();
+  }
+  rows.erase("");
+  return rows;
+}
+
+TEST(Menu, EveryRowIsReachedByEveryDevice) {
+  for (const MenuPage page : test::all_pages()) {
+    SCOPED_TRACE(static_cast<int>(page));
+    MenuByHand hand(MenuByHand::some_content(), kSmallest);
+    hand.menu().open(page);
+    const std::set<std::string> down = rows_that(hand, [&] { hand.press(Key::kDownArrow); });
+    const std::set<std::string> up = rows_that(hand, [&] { hand.press(Key::kPadUp); });
+    EXPECT_EQ(down, up);
+    // With the mouse: whatever stands anywhere on the frame, page after page of the wheel.
+    std::set<std::string> pointed;
+    hand.press(Key::kHome);
+    for (int turn = 0; turn < 40; ++turn) {
+      for (int y = 0; y < kSmallest.height; y += 4) {
+        hand.point(kSmallest.width * 3 / 8, y);
+        pointed.insert(hand.selected().substr(0, 12));
+      }
+      hand.press(Key::kWheelDown);
+      hand.draw();
+    }
+    pointed.erase("");
+    EXPECT_EQ(down, pointed);
+  }
+}
+
+TEST(Menu, BeginsAGameWithEpisodeAndSkill) {
+  MenuByHand hand;
+  hand.menu().open();
+  ASSERT_TRUE(hand.choose("Single player") && hand.choose("New game"));
+  ASSERT_TRUE(hand.go_to("Skill"));
+  EXPECT_THAT(hand.selected(), HasSubstr("normal"));
+  hand.press(Key::kRightArrow);
+  EXPECT_THAT(hand.selected(), HasSubstr("hard"));
+  EXPECT_EQ(hand.variables().find("skill")->text, "2");
+  ASSERT_TRUE(hand.choose("Second"));
+  EXPECT_THAT(hand.commands(), ElementsAre("maxplayers 1", "deathmatch 0", "coop 0", "map e1m9"));
+  EXPECT_FALSE(hand.menu().is_open());
+}
+
+TEST(Menu, BeginsInStartWhereTheGameHasNoEpisodes) {
+  MenuContent content = MenuByHand::some_content();
+  content.episodes = {};
+  MenuByHand hand(content);
+  hand.menu().open();
+  ASSERT_TRUE(hand.choose("Single player") && hand.choose("New game"));
+  EXPECT_THAT(hand.commands(), Contains("map start"));
+  EXPECT_FALSE(hand.menu().is_open());
+  hand.menu().open(MenuPage::kNewGame);
+  EXPECT_THAT(hand.commands(), Contains("map start"));
+  EXPECT_FALSE(hand.menu().is_open());
+  content.levels = [] { return std::vector<MenuLevel>{{"dm1", ""}}; };
+  MenuByHand without(content);
+  without.menu().open(MenuPage::kNewGame);
+  EXPECT_THAT(without.all_text(), HasSubstr("dm1")) << "a mod without a start: its levels";
+}
+
+TEST(Menu, LoadsAndSaves) {
+  MenuByHand hand;
+  hand.menu().open(MenuPage::kLoad);
+  EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("12:34"), HasSubstr("12 of 30")));
+  ASSERT_TRUE(hand.choose("quick"));
+  EXPECT_THAT(hand.commands(), ElementsAre("load quick"));
+  hand.menu().open(MenuPage::kSave);
+  ASSERT_TRUE(hand.choose("A new save"));
+  EXPECT_THAT(hand.commands(), ElementsAre("save s1")) << "s0 is taken";
+  hand.menu().open(MenuPage::kSave);
+  ASSERT_TRUE(hand.choose("s0"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("Save over s0"));
+  EXPECT_THAT(hand.commands(), IsEmpty());
+  hand.press(Key::kEnter);
+  EXPECT_THAT(hand.commands(), IsEmpty()) << "No is what Enter says first";
+  ASSERT_TRUE(hand.choose("s0") && hand.choose("Yes"));
+  EXPECT_THAT(hand.commands(), ElementsAre("save s0"));
+}
+
+TEST(Menu, SavesOnlyWhatCanBeSaved) {
+  MenuContent content = MenuByHand::some_content();
+  content.can_save = [] { return false; };
+  MenuByHand hand(content);
+  hand.menu().open(MenuPage::kSinglePlayer);
+  EXPECT_FALSE(hand.go_to("Save"));
+  hand.menu().open(MenuPage::kSave);
+  EXPECT_THAT(hand.all_text(), HasSubstr("no game that could be saved"));
+}
+
+TEST(Menu, QuitsAtOnceWhereNothingWouldBeLost) {
+  MenuByHand hand;
+  hand.menu().open();
+  ASSERT_TRUE(hand.choose("Quit"));
+  EXPECT_THAT(hand.commands(), ElementsAre("quit"));
+  EXPECT_FALSE(hand.menu().is_open());
+  hand.menu().open(MenuPage::kQuit);
+  EXPECT_THAT(hand.commands(), ElementsAre("quit"));
+}
+
+TEST(Menu, LeavesTheGameThatRuns) {
+  MenuContent content = MenuByHand::some_content();
+  bool runs = true;
+  content.game_runs = [&] { return runs; };
+  content.unsaved = [&] { return runs ? std::string("It would end.") : std::string(); };
+  MenuByHand hand(content, kSmallest);
+  hand.menu().open();
+  ASSERT_TRUE(hand.choose("Leave game") && hand.choose("Yes"));
+  EXPECT_THAT(hand.commands(), ElementsAre("disconnect"));
+  runs = false;
+  hand.menu().open();
+  EXPECT_FALSE(hand.go_to("Leave game"));
+}
+
+TEST(Menu, AsksBeforeSomethingIsLost) {
+  MenuContent content = MenuByHand::some_content();
+  content.unsaved = [] { return std::string("Ten minutes of play are not saved."); };
+  MenuByHand hand(content);
+  hand.menu().open(MenuPage::kQuit);
+  EXPECT_THAT(hand.all_text(), HasSubstr("Ten minutes of play"));
+  hand.type("n");
+  EXPECT_FALSE(hand.menu().is_open());
+  EXPECT_THAT(hand.commands(), IsEmpty());
+  hand.menu().open(MenuPage::kQuit);
+  hand.type("Y");
+  EXPECT_THAT(hand.commands(), ElementsAre("quit"));
+  for (const char* level : {"e1m1"}) {
+    hand.menu().open(MenuPage::kLevels);
+    ASSERT_TRUE(hand.choose(level));
+    EXPECT_THAT(hand.commands(), IsEmpty());
+    hand.press(Key::kEscape);
+    EXPECT_THAT(hand.selected(), StartsWith(level)) << "back where one was";
+    hand.press(Key::kEnter);
+    ASSERT_TRUE(hand.choose("Yes"));
+    EXPECT_THAT(hand.commands(), Contains("map e1m1"));
+  }
+  hand.menu().open(MenuPage::kLoad);
+  ASSERT_TRUE(hand.choose("s0"));
+  EXPECT_THAT(hand.commands(), ElementsAre("load s0")) << "as the original: who loads means it";
+}
+
+TEST(Menu, TheKeyThatOpenedItTypesNothing) {
+  MenuByHand hand;
+  hand.menu().open(MenuPage::kLevels);
+  hand.menu().handle({0, platform::TextTyped{"m"}});
+  EXPECT_THAT(hand.all_text(), HasSubstr("Type to find"));
+  hand.type("m");
+  EXPECT_THAT(hand.all_text(), HasSubstr("Find: m"));
+}
+
+TEST(Menu, FindsInLongListsByTyping) {
+  MenuByHand hand;
+  hand.menu().open(MenuPage::kLevels);
+  hand.type("number 17");
+  EXPECT_THAT(hand.selected(), StartsWith("e1m17"));
+  EXPECT_THAT(hand.all_text(), Not(HasSubstr("start")));
+  for (int i = 0; i < 9; ++i) hand.press(Key::kBackspace);
+  EXPECT_THAT(hand.all_text(), HasSubstr("start"));
+  hand.type("nowhere");
+  EXPECT_EQ(hand.selected(), "");
+  hand.press(Key::kEnter);
+  EXPECT_THAT(hand.commands(), IsEmpty());
+  hand.press(Key::kEscape);
+  EXPECT_THAT(hand.all_text(), HasSubstr("start")) << "Escape ends the search first";
+  EXPECT_TRUE(hand.menu().is_open());
+  hand.press(Key::kBackspace);
+  EXPECT_FALSE(hand.menu().is_open()) << "with nothing to erase it goes back";
+}
+
+TEST(Menu, JumpsThroughLists) {
+  MenuByHand hand(MenuByHand::some_content(), kSmallest);
+  hand.menu().open(MenuPage::kLevels);
+  hand.draw();
+  hand.press(Key::kEnd);
+  EXPECT_THAT(hand.selected(), StartsWith("e1m30"));
+  hand.press(Key::kDownArrow);
+  EXPECT_THAT(hand.selected(), StartsWith("Skill")) << "round the end";
+  hand.press(Key::kUpArrow);
+  EXPECT_THAT(hand.selected(), StartsWith("e1m30"));
+  hand.press(Key::kHome);
+  EXPECT_THAT(hand.selected(), StartsWith("Skill"));
+  hand.press(Key::kPageDown);
+  EXPECT_THAT(hand.selected(), AllOf(StartsWith("e1m"), Not(StartsWith("e1m1 "))));
+  for (int i = 0; i < 10; ++i) hand.press(Key::kPadRightShoulder);
+  EXPECT_THAT(hand.selected(), StartsWith("e1m30")) << "pages end at the end";
+}
+
+TEST(Menu, RepeatsWhatAGamepadHolds) {
+  MenuByHand hand;
+  hand.menu().open(MenuPage::kLevels);
+  hand.press(Key::kHome);
+  const auto is_at = [&](const char* row) { return hand.selected().starts_with(row); };
+  hand.hold(Key::kPadDown, true);
+  EXPECT_TRUE(is_at("start"));
+  hand.wait(0.39);
+  EXPECT_TRUE(is_at("start"));
+  hand.wait(0.02);
+  hand.draw();
+  EXPECT_TRUE(is_at("e1m1"));
+  hand.wait(0.11);
+  hand.draw();
+  EXPECT_TRUE(is_at("e1m2"));
+  hand.wait(1000);
+  hand.draw();
+  EXPECT_TRUE(is_at("e1m3")) << "one step a frame, however long it took";
+  hand.hold(Key::kPadDown, false);
+  hand.wait(10);
+  hand.draw();
+  EXPECT_TRUE(is_at("e1m3"));
+  hand.push_stick(0, -1);
+  EXPECT_TRUE(is_at("e1m2"));
+  hand.push_stick(0.2f, -0.5f);
+  hand.push_stick(0, -1);
+  EXPECT_TRUE(is_at("e1m2")) << "it was never let go";
+  hand.wait(0.41);
+  hand.draw();
+  EXPECT_TRUE(is_at("e1m1"));
+  hand.menu().handle({hand.time_s(), platform::FocusChanged{false}});
+  hand.wait(10);
+  hand.draw();
+  EXPECT_TRUE(is_at("e1m1"));
+}
+
+TEST(Menu, JoinsByAddressAndByList) {
+  int searches = 0;
+  MenuContent content = MenuByHand::some_content();
+  content.search_servers = [&] { ++searches; };
+  content.clipboard = [] { return std::string("192.168.1.5\n"); };
+  MenuByHand hand(content);
+  hand.menu().open(MenuPage::kMultiplayer);
+  ASSERT_TRUE(hand.choose("Join"));
+  EXPECT_EQ(searches, 1);
+  ASSERT_TRUE(hand.choose("Search again"));
+  EXPECT_EQ(searches, 2);
+  EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("Attic"), HasSubstr("3/8"), HasSubstr("21ms")));
+  ASSERT_TRUE(hand.choose("Attic"));
+  EXPECT_THAT(hand.commands(), ElementsAre("connect 10.0.0.1:26000"));
+
+  hand.menu().open(MenuPage::kJoin);
+  ASSERT_TRUE(hand.choose("Address"));
+  hand.type("quake.examplX");
+  hand.press(Key::kBackspace);
+  hand.type("e");
+  hand.press(Key::kHome);
+  hand.type("a");
+  hand.press(Key::kDelete);
+  hand.type("q");
+  hand.press(Key::kEnter);
+  EXPECT_THAT(hand.commands(), ElementsAre("connect aquake.example"));
+  hand.menu().open(MenuPage::kJoin);
+  EXPECT_THAT(hand.all_text(), HasSubstr("aquake.example")) << "kept";
+  hand.press(Key::kDelete);
+  hand.hold(Key::kCtrl, true);
+  hand.press(Key{'v'});
+  hand.hold(Key::kCtrl, false);
+  hand.press(Key::kDownArrow);
+  EXPECT_THAT(hand.commands(), IsEmpty()) << "going away keeps the text, and no more";
+  ASSERT_TRUE(hand.choose("Connect"));
+  EXPECT_THAT(hand.commands(), ElementsAre("connect 192.168.1.5"));
+}
+
+TEST(Menu, EscapeLeavesATextAsItWas) {
+  MenuByHand hand;
+  hand.menu().open(MenuPage::kPlayer);
+  ASSERT_TRUE(hand.choose("Name"));
+  hand.type("xyz");
+  hand.press(Key::kEscape);
+  EXPECT_TRUE(hand.menu().is_open());
+  EXPECT_EQ(hand.variables().find("name")->text, "player");
+  hand.type("s");
+  hand.press(Key::kEnter);
+  EXPECT_EQ(hand.variables().find("name")->text, "players") << "typing alone begins to edit";
+}
+
+TEST(Menu, TextsHoldWhatCanBeShown) {
+  MenuByHand hand;
+  hand.menu().open(MenuPage::kPlayer);
+  ASSERT_TRUE(hand.choose("Name"));
+  for (const std::string& typed : {std::string("\n"), std::string("\xc3\xa9\x01"), std::string(10000, 'x')})
+    hand.menu().handle({0, platform::TextTyped{typed}});
+  hand.press(Key::kEnter);
+  EXPECT_EQ(hand.variables().find("name")->text, "player" + std::string(194, 'x'));
+}
+
+TEST(Menu, WritesNamesByGamepad) {
+  MenuByHand hand;
+  hand.menu().open(MenuPage::kPlayer);
+  ASSERT_TRUE(hand.choose("Name", Device::kGamepad));
+  for (int i = 0; i < 6; ++i) hand.press(Key::kPadX);  // "player"
+  for (const Key key : {Key::kPadRight, Key::kPadUp, Key::kPadRight, Key::kPadRightShoulder, Key::kPadDown,
+                        Key::kPadRight, Key::kPadDown, Key::kPadRight, Key::kPadLeft})
+    hand.press(key);
+  hand.press(Key::kPadA);
+  EXPECT_EQ(hand.variables().find("name")->text, "bhZ") << "b; a and eight on, one back; before a";
+}
+
+TEST(Menu, Hosts) {
+  MenuByHand hand;
+  hand.menu().open(MenuPage::kHost);
+  EXPECT_TRUE(hand.go_to("Frag limit"));
+  ASSERT_TRUE(hand.choose("Level") && hand.choose("e1m7"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("The Level of Number 7"));
+  ASSERT_TRUE(hand.go_to("Players"));
+  hand.press(Key::kRightArrow);
+  ASSERT_TRUE(hand.choose("Port"));
+  for (int i = 0; i < 3; ++i) hand.press(Key::kBackspace);
+  hand.type("001");
+  hand.press(Key::kEnter);
+  EXPECT_EQ(hand.variables().find("port")->text, "26001");
+  hand.type("x");
+  hand.press(Key::kEnter);
+  EXPECT_EQ(hand.variables().find("port")->text, "26001") << "no number";
+  ASSERT_TRUE(hand.choose("Begin"));
+  EXPECT_THAT(hand.commands(),
+              ElementsAre("disconnect", "maxplayers 9", "deathmatch 1", "coop 0", "map e1m7"));
+  hand.menu().open(MenuPage::kHost);
+  ASSERT_TRUE(hand.choose("Game"));
+  EXPECT_FALSE(hand.go_to("Frag limit"));
+  EXPECT_TRUE(hand.go_to("Skill"));
+  ASSERT_TRUE(hand.choose("Begin"));
+  EXPECT_THAT(hand.commands(), IsSupersetOf({"deathmatch 0", "coop 1", "map e1m7"}));
+}
+
+TEST(Menu, HostsArenasMadeUpWithBots) {
+  MenuContent content = MenuByHand::some_content();
+  content.levels = [] {
+    return std::vector<client::MenuLevel>{
+        {"gallery", "The Gallery"}, {"tdm1", "The Anvil"}, {"tdm2", "The Cistern"}};
+  };
+  MenuByHand hand(content);
+  hand.menu().open(MenuPage::kHost);
+  ASSERT_TRUE(hand.go_to("Bots fill up to"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("Bots fill up to"));
+  for (int i = 0; i < 4; ++i) hand.press(Key::kRightArrow);
+  EXPECT_EQ(hand.variables().find("bot_fill")->text, "4");
+  ASSERT_TRUE(hand.go_to("Bots' skill"));
+  hand.press(Key::kRightArrow);
+  EXPECT_EQ(hand.variables().find("bot_skill")->text, "2");
+  ASSERT_TRUE(hand.choose("Begin"));
+  EXPECT_THAT(hand.commands(), Contains("map tdm1"));
+}
+
+TEST(Menu, TellsTheSavesApartThatItMadeItself) {
+  MenuContent content = MenuByHand::some_content();
+  content.saves = [] {
+    return std::vector<client::MenuSave>{{"autosave2", "The Toll House", 3, 0, 0},
+                                         {"autosave3", "The Fault", 5, 0, 0}};
+  };
+  MenuByHand hand(content);
+  hand.menu().open(MenuPage::kLoad);
+  EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("autosave2"), HasSubstr("autosave3")));
+}
+
+TEST(Menu, PlaysDemosAndSwitchesFolders) {
+  MenuByHand hand;
+  hand.menu().open(MenuPage::kDemos);
+  ASSERT_TRUE(hand.choose("demo2"));
+  EXPECT_THAT(hand.commands(), ElementsAre("playdemo demo2"));
+  hand.menu().open(MenuPage::kGameFolders);
+  EXPECT_THAT(hand.selected(), AllOf(StartsWith("id1"), HasSubstr("in use")));
+  ASSERT_TRUE(hand.choose("mymod"));
+  EXPECT_THAT(hand.commands(), ElementsAre("game mymod"));
+}
+
+TEST(Menu, FollowsListsThatChange) {
+  std::vector<MenuServer> servers;
+  MenuContent content = MenuByHand::some_content();
+  content.servers = [&] { return servers; };
+  MenuByHand hand(content);
+  hand.menu().open(MenuPage::kJoin);
+  EXPECT_THAT(hand.all_text(), HasSubstr("None has answered yet"));
+  servers = {{"10.0.0.2", "Cellar", "e1m1", 0, 8, 5}};
+  hand.menu().refresh();
+  ASSERT_TRUE(hand.go_to("Cellar"));
+  servers.insert(servers.begin(), {"10.0.0.1", "Attic", "e1m1", 0, 8, 5});
+  hand.menu().refresh();
+  EXPECT_THAT(hand.selected(), StartsWith("Cellar")) << "what is selected stays so";
+  servers.clear();
+  hand.menu().refresh();
+  EXPECT_TRUE(hand.menu().is_open());
+  ASSERT_TRUE(hand.choose("Address"));
+  hand.type("abc");
+  servers = {{"10.0.0.1", "Attic", "e1m1", 0, 8, 5}};
+  hand.menu().refresh();
+  EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("abc"), Not(HasSubstr("Attic")))) << "not while one types";
+  hand.press(Key::kDownArrow);
+  EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("abc"), HasSubstr("Attic")));
+}
+
+TEST(Menu, ShowsPicturesOfWhatIsSelected) {
+  const formats::Picture picture{4, 2, {1, 2, 3, 4, 5, 6, 7, 8}};
+  std::string asked_for;
+  bool is_there = false;
+  MenuContent content = MenuByHand::some_content();
+  content.level_picture = [&](std::string_view level) {
+    asked_for = level;
+    return is_there ? &picture : nullptr;
+  };
+  MenuByHand hand(content, {320, 200});
+  hand.menu().open(MenuPage::kLevels);
+  const auto drawn = [&]() -> const render::DrawCommand* {
+    for (const render::DrawCommand& command : hand.draw().commands)
+      if (command.picture != nullptr && command.picture != &test::no_pictures().characters()) return &command;
+    return nullptr;
+  };
+  EXPECT_EQ(drawn(), nullptr);
+  is_there = true;
+  ASSERT_TRUE(hand.go_to("e1m2"));
+  const render::DrawCommand* const command = drawn();
+  EXPECT_EQ(asked_for, "e1m2");
+  ASSERT_NE(command, nullptr);
+  EXPECT_NEAR(command->area.width, 2 * command->area.height, 2);
+  EXPECT_GT(command->area.width, 100);
+  const formats::Picture& shown = *command->picture;
+  EXPECT_EQ(shown.pixels.front(), 1);
+  EXPECT_EQ(shown.pixels[shown.width - 1], 4);
+  EXPECT_EQ(shown.pixels.back(), 8);
+}
+
+TEST(Menu, Sounds) {
+  MenuByHand hand;
+  hand.menu().open();
+  EXPECT_EQ(hand.sounds(), "misc/menu2.wav ");
+  hand.press(Key::kDownArrow);
+  EXPECT_EQ(hand.sounds(), "misc/menu1.wav ");
+  hand.press(Key::kEnter);
+  EXPECT_EQ(hand.sounds(), "misc/menu2.wav ");
+  hand.menu().open(MenuPage::kSound);
+  hand.sounds();
+  hand.press(Key::kRightArrow);
+  EXPECT_EQ(hand.sounds(), "misc/menu3.wav ");
+}
+
+TEST(Menu, TakesWhatIsForItAndLeavesTheRest) {
+  MenuByHand hand;
+  const auto taken = [&](auto what) { return hand.menu().handle({0, what}); };
+  EXPECT_FALSE(taken(platform::KeyChange{Key{'w'}, true, false})) << "closed";
+  hand.menu().open();
+  EXPECT_TRUE(hand.menu().wants_text());
+  EXPECT_TRUE(taken(platform::KeyChange{Key{'w'}, true, false}));
+  EXPECT_FALSE(taken(platform::KeyChange{Key{'w'}, false, false})) << "what was held is let go";
+  EXPECT_TRUE(taken(platform::TextTyped{"w"}));
+  EXPECT_TRUE(taken(platform::PointerMoved{0.5f, 0.5f}));
+  EXPECT_TRUE(taken(platform::MouseMoved{5, 5}));
+  EXPECT_TRUE(taken(platform::PadAxisMoved{platform::PadAxis::kRightX, 1}));
+  EXPECT_FALSE(taken(platform::PadAxisMoved{platform::PadAxis::kRightX, 0}));
+  EXPECT_FALSE(taken(platform::FocusChanged{false}));
+  EXPECT_FALSE(taken(platform::WindowChanged{}));
+  EXPECT_FALSE(taken(platform::CloseRequested{}));
+  hand.menu().close();
+  EXPECT_FALSE(hand.menu().is_open());
+  EXPECT_FALSE(hand.menu().wants_text());
+}
+
+TEST(Menu, TellsWhatHasHappenedAndLeadsToWhatHelps) {
+  for (const Device device : kDevices)
+    for (const MenuByHand::Size& size : {kSmallest, MenuByHand::Size{1280, 720}}) {
+      MenuByHand hand(MenuByHand::some_content(), size);
+      hand.menu().tell(
+          {.title = "Gone",
+           .text = "The first line.\n\nAnother one that is by far too long for a single line of it.",
+           .pages = {{"Other servers", MenuPage::kJoin}}});
+      EXPECT_THAT(hand.all_text(),
+                  AllOf(HasSubstr("Gone"), HasSubstr("The first line."), HasSubstr("of it.")));
+      EXPECT_THAT(hand.selected(), HasSubstr("OK"));
+      hand.point(1, 1);  // a pointer that has not moved since the menu opened points at nothing
+      ASSERT_TRUE(hand.choose("Other servers", device));
+      EXPECT_THAT(hand.all_text(), HasSubstr("Attic"));
+      hand.go_back(device);
+      ASSERT_TRUE(hand.choose("OK", device));
+      EXPECT_THAT(hand.all_text(), HasSubstr("Single player")) << "the main page lies under it";
+    }
+  // Two in a row are read one after the other.
+  MenuByHand hand;
+  hand.menu().tell({.title = "One", .text = "first"});
+  hand.menu().tell({.title = "Two", .text = "second"});
+  ASSERT_TRUE(hand.choose("OK"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("first"));
+}
+
+TEST(Menu, CommandsOpenPages) {
+  std::set<std::string_view> names;
+  for (const MenuCommand& command : menu_commands()) {
+    EXPECT_TRUE(names.insert(command.name).second) << command.name;
+    MenuByHand hand;
+    hand.menu().open(command.page);
+    EXPECT_NE(hand.menu().is_open(), command.page == MenuPage::kQuit) << command.name;
+  }
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(MenuPage::kCount));
+}
+
+}  // namespace
+}  // namespace temblor::client

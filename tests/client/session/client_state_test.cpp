@@ -1,0 +1,240 @@
+// What each message does, but for the entities' movement.
+#include "client/session/client_state.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "client/session/messages.h"
+
+namespace temblor::test {
+namespace {
+
+using client::ClientState;
+using client::Stat;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+void expect_error(ClientState& io_state, const net::ServerMessage& message, const char* what) {
+  const base::Status status = io_state.apply(message);
+  ASSERT_FALSE(status.ok()) << net::name_of(message);
+  EXPECT_THAT(status.error().message(), HasSubstr(what));
+}
+
+TEST(ClientState, ServerInfoBeginsALevelWithItsListsFromOne) {
+  ClientState state;
+  apply(state, {net::Print{"VERSION 1\n"}, net::Sound{}, server_info()});
+  EXPECT_EQ(state.game().level_name, "Entrance");
+  EXPECT_THAT(state.game().models,
+              ElementsAre("", "maps/start.bsp", "progs/player.mdl", "progs/ogre.mdl", "progs/flame.mdl"));
+  EXPECT_THAT(state.game().sounds, ElementsAre("", "weapons/guncock.wav", "misc/menu1.wav"));
+  EXPECT_EQ(state.game().players.size(), 4u);
+  EXPECT_FALSE(state.game().deathmatch);
+  EXPECT_TRUE(state.events().new_level);
+  EXPECT_THAT(state.events().prints, ElementsAre("VERSION 1\n"));
+  EXPECT_THAT(state.events().sounds, IsEmpty()) << "a sound of the level before";
+}
+
+TEST(ClientState, AnotherServerInfoForgetsTheLevelBefore) {
+  ClientState state = state_in_level();
+  packet(
+      state, 50,
+      {net::UpdateStat{12, 30}, net::LightStyle{3, "az"}, net::Skybox{"dusk"}, net::SetPause{true},
+       net::Intermission{}, net::SpawnStatic{{.model = kFlameModel}}, update_at(7, kOgreModel, {1, 2, 3})});
+  ASSERT_EQ(state.entities_at(50, {}).size(), 2u);
+  apply(state, {server_info()});
+  state.end_packet();
+  EXPECT_TRUE(state.entities_at(50, {}).empty());
+  EXPECT_EQ(state.game().stat(Stat::kTotalMonsters), 0);
+  EXPECT_EQ(state.game().light_styles[3], "");
+  EXPECT_FALSE(state.game().skybox);
+  EXPECT_FALSE(state.game().paused);
+  EXPECT_EQ(state.game().ending, client::Ending::kNone);
+  EXPECT_EQ(state.time_s(), 0);
+}
+
+TEST(ClientState, SignonEndsWithTheFirstUpdateAfterItsThirdStage) {
+  ClientState state = state_in_level();
+  apply(state, {net::SignonNumber{1}, net::SignonNumber{2}, net::SignonNumber{3}});
+  EXPECT_EQ(state.game().signon, 3);
+  apply(state, {update_at(1, kPlayerModel, {})});
+  EXPECT_EQ(state.game().signon, client::kPlaying);
+}
+
+TEST(ClientState, ClientDataIsMirroredInTheStats) {
+  ClientState state = state_in_level();
+  net::ClientData data;
+  data.health = -12;
+  data.armor = 150;
+  data.weapon_model = 300;
+  data.weapon_frame = 6;
+  data.ammo = 25;
+  data.shells = 26;
+  data.nails = 27;
+  data.rockets = 28;
+  data.cells = 29;
+  data.active_weapon = 64;
+  data.items = 0xf0000001u;
+  apply(state, {data});
+  const client::Game& game = state.game();
+  // In the order of the protocol's numbers 0 to 10; frags are not part of it.
+  const std::array<std::int32_t, 11> expected = {-12, 0, 300, 25, 150, 6, 26, 27, 28, 29, 64};
+  for (std::size_t stat = 0; stat < expected.size(); ++stat)
+    EXPECT_EQ(game.stats[stat], expected[stat]) << stat;
+  EXPECT_EQ(game.data.items, 0xf0000001u);
+}
+
+TEST(ClientState, MonstersAndSecretsAreCounted) {
+  ClientState state = state_in_level();
+  apply(state, {net::UpdateStat{14, 4}, net::KilledMonster{}, net::KilledMonster{}, net::FoundSecret{}});
+  EXPECT_EQ(state.game().stat(Stat::kMonsters), 6);
+  EXPECT_EQ(state.game().stat(Stat::kSecrets), 1);
+  constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+  apply(state, {net::UpdateStat{14, kMost}, net::KilledMonster{}});
+  EXPECT_EQ(state.game().stat(Stat::kMonsters), kMost);
+}
+
+TEST(ClientState, PlayersHaveNamesFragsAndColors) {
+  ClientState state = state_in_level();
+  apply(state, {net::UpdateName{2, "Ranger"}, net::UpdateFrags{2, -3}, net::UpdateColors{2, 0xd4}});
+  const client::Player& player = state.game().players[2];
+  EXPECT_EQ(player.name, "Ranger");
+  EXPECT_EQ(player.frags, -3);
+  EXPECT_EQ(player.shirt, 13);
+  EXPECT_EQ(player.pants, 4);
+}
+
+TEST(ClientState, StuffedLinesArePutTogetherAndFlashesTakenOut) {
+  ClientState state = state_in_level();
+  apply(state, {net::StuffText{"bf\n"}});
+  EXPECT_EQ(state.events().bonus_flashes, 1);
+  EXPECT_THAT(state.events().commands, IsEmpty());
+  apply(state, {net::StuffText{"v_cshift 1 2 3"}, net::StuffText{" 4\nbf\nco"}, net::StuffText{"lor 4\nb"}});
+  EXPECT_EQ(state.events().bonus_flashes, 2);
+  EXPECT_THAT(state.events().commands, ElementsAre("v_cshift 1 2 3 4", "color 4"));
+  apply(state, {net::StuffText{"f\n"}, net::BonusFlash{}});
+  EXPECT_EQ(state.events().bonus_flashes, 4);
+}
+
+TEST(ClientState, WhatHappensOnceIsKeptUntilCleared) {
+  ClientState state = state_in_level();
+  net::TempEntity explosion;
+  explosion.kind = net::TempEntityKind::kExplosion;
+  apply(state, {explosion, net::Particles{.count = 1024}, net::Damage{.blood = 5}, net::Sound{.sound = 9999},
+                net::StopSound{3, 1}, net::SpawnStaticSound{}, net::Print{"You got the axe\n"}});
+  const client::Events& events = state.events();
+  EXPECT_EQ(events.temp_entities.size(), 1u);
+  EXPECT_EQ(events.particles.at(0).count, 1024);
+  EXPECT_EQ(events.damages.at(0).blood, 5);
+  EXPECT_EQ(events.sounds.at(0).sound, 9999) << "numbers past the list's end are kept";
+  EXPECT_EQ(events.stopped_sounds.at(0).entity, 3);
+  EXPECT_EQ(events.static_sounds.size(), 1u);
+  EXPECT_THAT(events.prints, ElementsAre("You got the axe\n"));
+  state.events().clear();
+  EXPECT_TRUE(events.temp_entities.empty() && events.particles.empty() && events.damages.empty() &&
+              events.sounds.empty() && events.stopped_sounds.empty() && events.static_sounds.empty() &&
+              events.prints.empty() && events.commands.empty());
+  EXPECT_FALSE(events.new_level);
+}
+
+TEST(ClientState, EndingsSayWhenTheyBegan) {
+  ClientState state = state_in_level();
+  packet(state, 61.5f, {net::Intermission{}});
+  EXPECT_EQ(state.game().ending, client::Ending::kIntermission);
+  EXPECT_EQ(state.game().ending_since_s, 61.5);
+  packet(state, 70, {net::Finale{"The end"}});
+  EXPECT_EQ(state.game().ending, client::Ending::kFinale);
+  EXPECT_EQ(state.game().ending_since_s, 70);
+  EXPECT_EQ(state.game().ending_text, "The end");
+  packet(state, 80, {net::CutScene{"Later"}, net::CenterPrint{"..."}, net::SellScreen{}});
+  EXPECT_EQ(state.game().ending, client::Ending::kCutScene);
+  EXPECT_EQ(state.game().center_text, "...");
+  EXPECT_EQ(state.game().center_text_since_s, 80);
+  EXPECT_THAT(state.events().commands, ElementsAre("help"));
+}
+
+TEST(ClientState, TheRestIsKeptAsItCame) {
+  ClientState state = state_in_level();
+  apply(state,
+        {net::SetAngle{{-10, 90, 0}}, net::CdTrack{6, 6}, net::LightStyle{63, "a"}, net::Nop{},
+         net::Version{15}, net::Ignored{45}, net::Skybox{"dusk"}, net::SetPause{true}, net::Disconnect{}});
+  EXPECT_EQ(state.game().set_angles_deg, math::Vec3(-10, 90, 0));
+  EXPECT_EQ(state.game().music_track, 6);
+  EXPECT_EQ(state.game().light_styles[63], "a");
+  EXPECT_EQ(state.game().skybox, "dusk");
+  EXPECT_TRUE(state.game().paused);
+}
+
+net::Fog fog(float density, float fade_s) {
+  return {.density = density, .color = {density, 0, 1 - density}, .fade_s = fade_s};
+}
+
+TEST(ClientFog, ComesInOverTheLevelsOwn) {
+  ClientState state = state_in_level();
+  const net::Fog of_level = fog(0.5f, 0);
+  EXPECT_EQ(client::fog_at(state.game(), of_level, 3).density, 0.5f);
+  packet(state, 10, {fog(0.25f, 2)});
+  packet(state, 10.5f, {});
+  EXPECT_EQ(client::fog_at(state.game(), of_level, 10).density, 0.5f);
+  const net::Fog half = client::fog_at(state.game(), of_level, 11);
+  EXPECT_EQ(half.density, 0.375f);
+  EXPECT_EQ(half.color, math::Vec3(0.375f, 0, 0.625f));
+  EXPECT_EQ(half.fade_s, 0);
+  EXPECT_EQ(client::fog_at(state.game(), of_level, 13).density, 0.25f);
+}
+
+TEST(ClientFog, AFadeThatIsCutShortGoesOnFromWhereItIs) {
+  ClientState state = state_in_level();
+  const net::Fog of_level = fog(0.5f, 0);
+  packet(state, 20, {fog(1, 4)});
+  packet(state, 22, {fog(0, 3)});
+  EXPECT_EQ(client::fog_at(state.game(), of_level, 22).density, 0.75f);
+  EXPECT_FLOAT_EQ(client::fog_at(state.game(), of_level, 23).density, 0.5f);
+  packet(state, 23.5f, {fog(0.875f, 1)});
+  EXPECT_FLOAT_EQ(client::fog_at(state.game(), of_level, 23.5f).density, 0.375f);
+  EXPECT_FLOAT_EQ(client::fog_at(state.game(), of_level, 24).density, 0.625f);
+  EXPECT_EQ(client::fog_at(state.game(), of_level, 30).density, 0.875f);
+}
+
+TEST(ClientState, ThereIsNothingBeforeServerInfo) {
+  ClientState state;
+  expect_error(state, update_at(1, kPlayerModel, {}), "serverinfo");
+  expect_error(state, net::SpawnBaseline{}, "serverinfo");
+  expect_error(state, net::SpawnStatic{}, "serverinfo");
+  expect_error(state, net::ClientData{}, "serverinfo");
+  expect_error(state, net::UpdateName{0, "x"}, "player slot 0");
+  state.end_packet();
+  EXPECT_TRUE(state.entities_at(0, {}).empty());
+}
+
+TEST(ClientState, NumbersOutOfRangeAreErrorsThatLeaveItAsItWas) {
+  ClientState state = state_in_level();
+  constexpr auto kPast = static_cast<std::uint16_t>(net::kMaxEntities);
+  expect_error(state, update_at(kPast, kOgreModel, {}), "entity 32000, expected 0 to 31999");
+  expect_error(state, net::SpawnBaseline{kPast, {}}, "entity 32000");
+  expect_error(state, net::SetView{kPast}, "entity 32000");
+  expect_error(state, net::UpdateName{4, "x"}, "player slot 4, but the server has 4");
+  expect_error(state, net::UpdateFrags{4, 1}, "player slot 4");
+  expect_error(state, net::UpdateColors{255, 1}, "player slot 255");
+  expect_error(state, net::UpdateStat{32, 1}, "stat 32, expected 0 to 31");
+  expect_error(state, net::LightStyle{64, "a"}, "light style 64, expected 0 to 63");
+  expect_error(state, net::SignonNumber{5}, "signon 5");
+  expect_error(state, net::Time{-1}, "-1 s, expected 0 to");
+  expect_error(state, net::Time{1e30f}, "1e+30 s");
+  expect_error(state, net::Time{std::numeric_limits<float>::quiet_NaN()}, "nan s");
+  net::ServerInfo nowhere = server_info();
+  nowhere.models = {};
+  expect_error(state, nowhere, "no level");
+  net::ServerInfo nobody = server_info();
+  nobody.max_clients = 0;
+  expect_error(state, nobody, "0 players");
+  EXPECT_EQ(state.game().level_name, "Entrance");
+  EXPECT_EQ(state.game().view_entity, 1);
+  state.end_packet();
+  EXPECT_TRUE(state.entities_at(0, {}).empty());
+}
+
+}  // namespace
+}  // namespace temblor::test

@@ -1,0 +1,187 @@
+// QuakeSpasm (Debian's package quakespasm) as the other end, over UDP and in real time: its client plays on
+// our server in all three protocols, and our client on its server.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "client/session/connection.h"
+#include "platform/posix/udp_socket.h"
+#include "server/server.h"
+#include "support/effort.h"
+#include "support/game_data.h"
+#include "support/programs/background_program.h"
+#include "support/programs/quakespasm_folder.h"
+
+namespace temblor::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kSignonLimit_s = 60;
+constexpr int kPlayed_s = effort(60, 5);
+
+double clock_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::unique_ptr<platform::DatagramSocket> local_socket() {
+  auto socket = platform::posix::open_udp_socket({.host = "127.0.0.1"});
+  CHECK(socket.ok(), "{}", socket.error().message());
+  return std::move(socket).value();
+}
+
+// Our server with the shipped game on a level of the data, and a stock client that walks on it.
+class StockClientPlays {
+ public:
+  StockClientPlays(const std::filesystem::path& data, std::string_view protocol)
+      : files_(vfs::FileSystem::open(data).value()), settings_(variables_) {
+    CHECK(variables_.set("sv_protocol", protocol).ok());
+    net::ServerEndpoint::Sockets sockets;
+    sockets.push_back(local_socket());
+    port_ = sockets[0]->local_address().port;
+    server_ = std::make_unique<server::Server>(
+        server::ServerSetup{.library = library_,
+                            .settings = settings_,
+                            .sockets = std::move(sockets),
+                            .program_file = TEMBLOR_GAME_PROGRAM,
+                            .print = [this](std::string_view text) { console_ += text; }});
+    const base::Status started = server_->start_map("lq_e0m1");
+    CHECK(started.ok(), "{}", started.error().message());
+    folder_ = *make_quakespasm_folder(home_, data, TEMBLOR_GAME_PROGRAM);
+  }
+
+  void start_client() {
+    client_ = std::make_unique<BackgroundProgram>(
+        std::vector<std::string>{"xvfb-run", "-a", "-s", "-screen 0 320x240x24", "quakespasm", "-basedir",
+                                 folder_.string(), "-window", "-width", "320", "-height", "240", "-nosound",
+                                 "+host_maxfps", "30", "+connect", "127.0.0.1:" + std::to_string(port_)},
+        home_.path());
+  }
+  void ask_client_to_leave() { server_->clients().tell(0, net::StuffText{"disconnect\n"}); }
+
+  void step() {
+    server_->step(clock_s());
+    if (!is_playing()) return;
+    // It walks and turns from here on, as if its player held two keys.
+    if (!has_place_) server_->clients().tell(0, net::StuffText{"+forward\n+left\n"});
+    const math::Vec3 place = server_->game()->player(0)[server::field::kOrigin];
+    if (has_place_) way_ += glm::distance(place, place_);
+    place_ = place;
+    has_place_ = true;
+  }
+  void change_level(const char* map) {
+    const base::Status changed = server_->change_level(map);
+    CHECK(changed.ok(), "{}", changed.error().message());
+  }
+  bool is_playing() { return server_->clients()[0].stage == server::ClientStage::kPlaying; }
+  bool has_left() const {
+    return server_->game() != nullptr && console_.find("removed: left") != std::string::npos;
+  }
+  float way() const { return way_; }
+  float ping_s() { return server_->clients()[0].ping(); }
+  const std::string& console() const { return console_; }
+  std::string client_output() const { return client_ ? client_->output() : ""; }
+
+ private:
+  TemporaryFolder home_;
+  command::Variables variables_;
+  vfs::FileSystem files_;
+  assets::Library library_{std::move(files_)};
+  server::ServerVariables settings_;
+  std::uint16_t port_ = 0;
+  std::string console_;
+  std::unique_ptr<server::Server> server_;
+  std::filesystem::path folder_;
+  std::unique_ptr<BackgroundProgram> client_;
+  math::Vec3 place_{0.0f};
+  bool has_place_ = false;
+  float way_ = 0;
+};
+
+#define SKIP_WITHOUT_QUAKESPASM()                                                    \
+  if (!is_installed("quakespasm") || !is_installed("xvfb-run"))                      \
+    GTEST_SKIP() << "quakespasm or a display for it (xvfb, xauth) is not installed"; \
+  if (!std::filesystem::exists(TEMBLOR_GAME_PROGRAM))                                \
+  GTEST_SKIP() << "the game's QuakeC is not compiled: fteqcc is not installed"
+
+TEST(QuakeSpasmClient, PlaysInAllThreeProtocolsAndLeaves) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_QUAKESPASM();
+  std::vector<std::unique_ptr<StockClientPlays>> games;
+  for (const std::string_view protocol : {"15", "666", "999"}) {
+    games.push_back(std::make_unique<StockClientPlays>(data, protocol));
+    games.back()->start_client();
+  }
+  const auto step_all_until = [&](double limit_s, auto is_done) {
+    const double until_s = clock_s() + limit_s;
+    while (clock_s() < until_s) {
+      bool all = true;
+      for (auto& game : games) {
+        game->step();
+        all &= is_done(*game);
+      }
+      if (all) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  };
+  step_all_until(kSignonLimit_s, [](StockClientPlays& game) { return game.is_playing(); });
+  for (auto& game : games) ASSERT_TRUE(game->is_playing()) << game->console() << game->client_output();
+  step_all_until(kPlayed_s, [](StockClientPlays&) { return false; });
+  for (auto& game : games) {
+    EXPECT_TRUE(game->is_playing()) << game->console();
+    // In circles: 320 units a second at most, half of that at the least.
+    EXPECT_GT(game->way(), 100.0f * kPlayed_s) << game->console();
+    EXPECT_LT(game->ping_s(), 1) << game->console();
+  }
+  for (auto& game : games) game->change_level("lq_e1m2");
+  step_all_until(kSignonLimit_s, [](StockClientPlays& game) { return game.is_playing(); });
+  for (auto& game : games) EXPECT_TRUE(game->is_playing()) << game->console() << game->client_output();
+  step_all_until(2, [](StockClientPlays&) { return false; });
+  for (auto& game : games) game->ask_client_to_leave();
+  step_all_until(10, [](StockClientPlays& game) { return game.has_left(); });
+  for (auto& game : games) EXPECT_TRUE(game->has_left()) << game->console();
+}
+
+TEST(QuakeSpasmServer, OurClientPlaysOnIt) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_QUAKESPASM();
+  const TemporaryFolder home;
+  const auto folder = make_quakespasm_folder(home, data, TEMBLOR_GAME_PROGRAM);
+  ASSERT_TRUE(folder.has_value());
+  const std::uint16_t port = local_socket()->local_address().port;
+  const BackgroundProgram server({"quakespasm", "-dedicated", "4", "-basedir", folder->string(), "-port",
+                                  std::to_string(port), "-protocol", "666", "+map", "lq_e0m1"},
+                                 home.path());
+  const platform::Address address = platform::ip4_address({127, 0, 0, 1}, port);
+  client::Connection player(local_socket(), {.name = "tester", .shirt = 3, .pants = 4});
+  const auto run = [&](double limit_s, auto is_done) {
+    const double until_s = clock_s() + limit_s;
+    while (clock_s() < until_s && !is_done()) {
+      const double now_s = clock_s();
+      if (!player.is_connected() && !player.is_connecting() && player.updates() == 0)
+        player.connect(address, now_s);
+      player.update(now_s);
+      player.send_move(
+          {.angles_deg = {0, static_cast<float>(std::fmod(now_s * 90, 360)), 0}, .forward = 400});
+      player.state().events().clear();
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  };
+  run(kSignonLimit_s, [&] { return player.is_playing(); });
+  ASSERT_TRUE(player.is_playing()) << player.lost_because() << server.output();
+  EXPECT_EQ(player.state().game().players[0].name, "tester");
+  const std::uint64_t before = player.updates();
+  run(kPlayed_s, [] { return false; });
+  EXPECT_TRUE(player.is_playing()) << player.lost_because();
+  // Its server tells of twenty ticks a second.
+  EXPECT_GT(player.updates() - before, static_cast<std::uint64_t>(15 * kPlayed_s));
+  EXPECT_GT(player.state().game().data.health, -100);
+  player.disconnect();
+  run(1, [] { return false; });
+}
+
+}  // namespace
+}  // namespace temblor::test

@@ -1,0 +1,146 @@
+// Games that are saved without being asked, and players who die and go on from there.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "base/check.h"
+#include "client_server/served_game.h"
+#include "support/programs/quakec.h"
+
+namespace temblor::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// The small program, whose level begins again for a dead player who presses a button.
+std::string mortal_program() {
+  std::string program = small_program();
+  const std::string nothing = "void() PlayerPreThink = {};";
+  const std::size_t at = program.find(nothing);
+  CHECK(at != std::string::npos);
+  return program.replace(
+      at, nothing.size(),
+      "void() PlayerPreThink = { if (self.health <= 0 && !self.deadflag) "
+      "if (self.button0 || self.button2) { self.deadflag = 2; localcmd(\"restart\\n\"); } };");
+}
+
+bool has_save(const ServedGame& served, const std::string& name) {
+  return std::filesystem::exists(served.folder().path() / "id1" / (name + ".sav"));
+}
+
+constexpr net::Move kFire{.buttons = 1}, kJump{.buttons = 2};
+
+TEST(Saving, ASinglePlayersGameIsSavedByItself) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(small_program(), {.max_clients = 1});
+  const std::size_t me = served.add_client("one");
+  ASSERT_TRUE(served.run_until_playing(me));
+  served.run(4);
+  EXPECT_FALSE(has_save(served, "autosave"));
+  served.run(2);
+  EXPECT_TRUE(has_save(served, "autosave"));
+  EXPECT_EQ(served.server().take_autosaved(), "autosave");
+  EXPECT_EQ(served.server().take_autosaved(), "") << "told once";
+  served.run(60);
+  EXPECT_EQ(served.server().take_autosaved(), "");
+  served.run(130);
+  EXPECT_EQ(served.server().take_autosaved(), "autosave") << "three minutes later";
+}
+
+TEST(Saving, GamesOfSeveralNever) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  ASSERT_TRUE(served.run_until_playing(served.add_client("one")));
+  served.run(10);
+  served.server().shut_down("the end");
+  EXPECT_FALSE(has_save(served, "autosave"));
+  EXPECT_THAT(served.console(), Not(HasSubstr("save")));
+}
+
+TEST(Saving, NorWhereThePlayerDoesNotWantIt) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(small_program(), {.max_clients = 1});
+  served.command("sv_autosave 0");
+  ASSERT_TRUE(served.run_until_playing(served.add_client("one")));
+  served.run(10);
+  EXPECT_FALSE(served.server().saves_when_left());
+  served.server().shut_down("the end");
+  EXPECT_FALSE(has_save(served, "autosave"));
+}
+
+TEST(Saving, WhatIsLeftIsKept) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(small_program(), {.max_clients = 1});
+  ASSERT_TRUE(served.run_until_playing(served.add_client("one")));
+  served.run(1);
+  EXPECT_FALSE(served.server().saves_when_left()) << "nobody would miss it";
+  served.run(9);
+  served.game().player(0).set(server::field::kHealth, 33.0f);
+  served.run(0.1);
+  EXPECT_TRUE(served.server().saves_when_left());
+  served.command("map small");
+  served.run(10);
+  EXPECT_TRUE(has_save(served, "autosave2")) << "a new game has another name";
+  served.command("load autosave");
+  served.run(3);
+  EXPECT_EQ(served.game().player(0)[server::field::kHealth], 33);
+}
+
+TEST(Saving, TheDeadGoOnFromTheLastSaveOrBeginAgain) {
+  SKIP_WITHOUT_QUAKEC();
+  for (const bool jumps : {false, true}) {
+    ServedGame served(mortal_program(), {.max_clients = 1});
+    ASSERT_TRUE(served.run_until_playing(served.add_client("one")));
+    served.run(1);
+    EXPECT_FALSE(served.server().goes_on_from_save()) << "there is none yet";
+    served.game().player(0).set(server::field::kHealth, 77.0f);
+    served.command("save quick");
+    served.run(0.1);
+    EXPECT_TRUE(served.server().goes_on_from_save());
+    served.game().player(0).set(server::field::kHealth, -5.0f);
+    served.run(0.5);
+    EXPECT_EQ(served.game().player(0)[server::field::kHealth], -5) << "until he presses something";
+    served.run(0.5, jumps ? kJump : kFire);
+    served.run(3);
+    EXPECT_EQ(served.game().player(0)[server::field::kHealth], jumps ? 100 : 77);
+  }
+}
+
+TEST(Saving, ASaveThatIsGoneIsNotAskedForTwice) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(mortal_program(), {.max_clients = 1});
+  ASSERT_TRUE(served.run_until_playing(served.add_client("one")));
+  served.run(1);
+  served.command("save quick");
+  served.run(0.1);
+  std::filesystem::remove(served.folder().path() / "id1/quick.sav");
+  served.game().player(0).set(server::field::kHealth, -5.0f);
+  served.run(0.5, kFire);
+  EXPECT_THAT(served.console(), HasSubstr("quick.sav"));
+  EXPECT_FALSE(served.server().goes_on_from_save());
+  EXPECT_LT(served.game().player(0)[server::field::kHealth], 0);
+  served.game().player(0).set(server::field::kDeadFlag, 0.0f);  // as game code does once the button is up
+  served.run(0.5, kFire);
+  served.run(0.5);
+  EXPECT_EQ(served.game().player(0)[server::field::kHealth], 100);
+}
+
+TEST(Saving, WithoutAutoloadTheDeadBeginAgain) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(mortal_program(), {.max_clients = 1});
+  served.command("sv_autoload 0");
+  ASSERT_TRUE(served.run_until_playing(served.add_client("one")));
+  served.run(1);
+  served.game().player(0).set(server::field::kHealth, 77.0f);
+  served.command("save quick");
+  served.run(0.1);
+  served.game().player(0).set(server::field::kHealth, -5.0f);
+  served.run(0.5, kFire);
+  served.run(1);
+  EXPECT_EQ(served.game().player(0)[server::field::kHealth], 100);
+}
+
+}  // namespace
+}  // namespace temblor::test

@@ -1,0 +1,160 @@
+// _lmscale: light maps of another scale beside those that every game reads.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "artgen/small_level.h"
+#include "base/bytes.h"
+#include "compiler/light/light_cache.h"
+#include "compiler/light/lighting.h"
+#include "world/face_at.h"
+#include "world/level.h"
+
+namespace temblor::test {
+namespace {
+
+const std::string kLamps =
+    "{ 'classname' 'light' 'origin' '10 -20 8' 'light' '150' }"
+    "{ 'classname' 'light' 'origin' '-30 0 0' 'light' '60' 'style' '3' 'wait' '0.5' }";
+
+LitResult lit_room(const char* scale, const compiler::LightOptions& options = {}) {
+  return light(room_with({kLamps, std::string("'_lmscale' '") + scale + "'"}), options);
+}
+
+base::ByteReader lump(const formats::Bsp& bsp, const char* name) {
+  const formats::BspxLump* found = bsp.find_bspx(name);
+  CHECK(found != nullptr, "{}", name);
+  return base::ByteReader(found->data);
+}
+
+TEST(LightScale, GamesThatDoNotKnowItSeeTheUsualLight) {
+  const LitResult usual = lit_room("1"), scaled = lit_room("0.25");
+  EXPECT_EQ(usual.bsp.find_bspx("LMSHIFT"), nullptr);
+  EXPECT_EQ(scaled.bsp.faces, usual.bsp.faces);
+  ASSERT_GT(scaled.bsp.lighting.size(), usual.bsp.lighting.size());
+  EXPECT_TRUE(std::equal(usual.bsp.lighting.begin(), usual.bsp.lighting.end(), scaled.bsp.lighting.begin()));
+}
+
+TEST(LightScale, IsRoundedToAPowerOfTwo) {
+  for (const auto& [scale, shift] :
+       {std::pair{"0.5", 3}, {"0.3", 2}, {"0.25", 2}, {"2", 5}, {"0.001", 0}, {"1000", 7}, {"1.3", 4}}) {
+    const LitResult lit = lit_room(scale);
+    if (shift == 4) {
+      EXPECT_EQ(lit.bsp.find_bspx("LMSHIFT"), nullptr) << scale;
+      continue;
+    }
+    base::ByteReader shifts = lump(lit.bsp, "LMSHIFT");
+    ASSERT_EQ(shifts.remaining(), lit.bsp.faces.size());
+    EXPECT_EQ(shifts.u8(), shift) << scale;
+  }
+}
+
+// Every luxel of every scaled map, found as a game finds it, is what the formula of linear lights gives.
+TEST(LightScale, ScaledLuxelsHaveTheLightOfTheirPlaces) {
+  for (const auto& [scale, texels] : {std::pair{"0.25", 4}, {"0.5", 8}, {"2", 32}}) {
+    const LitResult lit = lit_room(scale);
+    const auto level = world::make_level(lit.bsp, "scaled").value();
+    base::ByteReader offsets = lump(lit.bsp, "LMOFFSET"), styles = lump(lit.bsp, "LMSTYLE");
+    int compared = 0;
+    for (const world::Face& face : level->faces) {
+      const std::int32_t offset = offsets.i32();
+      ASSERT_EQ(styles.u8(), 0);
+      ASSERT_EQ(styles.u8(), 3);
+      ASSERT_EQ(styles.u8(), 255);
+      ASSERT_EQ(styles.u8(), 255);
+      const world::TextureAxes& axes = level->texture_axes[face.axes];
+      const world::FacePlane plane = world::plane_of(*level, face);
+      // The room is a cube of 128 units whose texture axes lie along axes of the world: texels are units.
+      const double low_s = std::floor((-64.0 + double{axes.s_offset}) / texels) * texels;
+      const double low_t = std::floor((-64.0 + double{axes.t_offset}) / texels) * texels;
+      const int width =
+          static_cast<int>(std::ceil((64.0 + double{axes.s_offset}) / texels) - low_s / texels) + 1;
+      const int height =
+          static_cast<int>(std::ceil((64.0 + double{axes.t_offset}) / texels) - low_t / texels) + 1;
+      for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column) {
+          const double s = low_s + column * texels - double{axes.s_offset};
+          const double t = low_t + row * texels - double{axes.t_offset};
+          if (std::abs(s) > 60 || std::abs(t) > 60) continue;
+          const math::Vec3d place = math::Vec3d(axes.s_axis) * s + math::Vec3d(axes.t_axis) * t +
+                                    plane.normal * (plane.distance + 1);
+          const auto light_from = [&](const math::Vec3d& lamp, double value, double wait) {
+            const double distance = glm::length(lamp - place);
+            const double cosine = glm::dot(lamp - place, plane.normal) / distance;
+            return std::max(0.0, value - wait * distance) * (0.5 + 0.5 * cosine) * 0.5;
+          };
+          const auto luxel = static_cast<std::size_t>(offset + row * width + column);
+          const auto size = static_cast<std::size_t>(width * height);
+          EXPECT_NEAR(lit.bsp.lighting.at(luxel), light_from({10, -20, 8}, 150, 1), 1);
+          EXPECT_NEAR(lit.bsp.lighting.at(luxel + size), light_from({-30, 0, 0}, 60, 0.5), 1);
+          ++compared;
+        }
+    }
+    EXPECT_GT(compared, 50) << scale;
+  }
+}
+
+// The whole of it: shards, bounces, colors, a cache, any number of threads.
+TEST(LightScale, IsTheSameHoweverItIsMade) {
+  formats::Bsp bsp = artgen::make_small_level({.light = false});
+  bsp.entities.insert(bsp.entities.find('}'),
+                      "\"_lmscale\" \"0.5\" \"_bounce\" \"1\" \"_dirt\" \"1\" \"_sunlight\" \"100\"");
+  bsp.entities += "{ \"classname\" \"light\" \"origin\" \"0 0 64\" \"_color\" \"1 0.5 0\" }";
+  const compiler::LightOptions options{.sky_rays = 8};
+  const LitResult once = light(bsp, options);
+  ASSERT_NE(once.bsp.find_bspx("LMSHIFT"), nullptr);
+  ASSERT_TRUE(once.summary.colored);
+  EXPECT_EQ(once.summary.lit.samples.size(), once.bsp.lighting.size() * 3);
+  EXPECT_EQ(light(bsp, options, 3).bsp, once.bsp);
+  compiler::LightCache cache;
+  EXPECT_EQ(light(bsp, options, 1, &cache).bsp, once.bsp);
+  EXPECT_EQ(light(bsp, options, 1, &cache).bsp, once.bsp);
+  // Lit again from itself, there are no lumps twice.
+  EXPECT_EQ(light(once.bsp, options).bsp, once.bsp);
+
+  const auto keys = compiler::face_keys_of(bsp, formats::read_entities(bsp.entities).value());
+  base::Jobs jobs(1);
+  compiler::Warnings warnings;
+  std::vector<base::ByteVector> shards;
+  for (std::uint32_t i = 0; i < 3; ++i)
+    shards.push_back(
+        compiler::light_shard(bsp, keys, options, {i, 3}, {}, jobs, compiler::kNobodyWatches).value().bytes);
+  formats::Bsp merged = bsp;
+  ASSERT_TRUE(
+      compiler::merge_light(merged, keys, options, {{shards[0], shards[1], shards[2]}}, jobs, warnings).ok());
+  EXPECT_EQ(merged, once.bsp);
+}
+
+// Where both measure the same place, bounced light is the same.
+TEST(LightScale, BouncedLightIsThatOfTheUsualMap) {
+  formats::Bsp bsp = room_with({"{ 'classname' 'light' 'origin' '50 50 50' 'light' '90' }",
+                                "'_lmscale' '0.5' '_bounce' '3' '_bouncescale' '4'"});
+  const LitResult lit = light(bsp);
+  const auto level = world::make_level(lit.bsp, "scaled").value();
+  base::ByteReader offsets = lump(lit.bsp, "LMOFFSET");
+  int compared = 0;
+  for (const world::Face& face : level->faces) {
+    const std::int32_t offset = offsets.i32();
+    const world::TextureAxes& axes = level->texture_axes[face.axes];
+    const int low_s = static_cast<int>(std::floor((-64.0 + double{axes.s_offset}) / 8)) * 8;
+    const int low_t = static_cast<int>(std::floor((-64.0 + double{axes.t_offset}) / 8)) * 8;
+    const int width = static_cast<int>(std::ceil((64.0 + double{axes.s_offset}) / 8)) - low_s / 8 + 1;
+    for (int row = 1; row + 1 < face.light_height(); ++row)
+      for (int column = 1; column + 1 < face.light_width(); ++column) {
+        const int fine_column = (face.texture_mins[0] + column * 16 - low_s) / 8;
+        const int fine_row = (face.texture_mins[1] + row * 16 - low_t) / 8;
+        EXPECT_NEAR(level->light[face.light + static_cast<std::size_t>(row * face.light_width() + column)],
+                    level->light[static_cast<std::size_t>(offset + fine_row * width + fine_column)], 1);
+        ++compared;
+      }
+  }
+  EXPECT_GT(compared, 100);
+}
+
+}  // namespace
+}  // namespace temblor::test

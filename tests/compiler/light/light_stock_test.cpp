@@ -1,0 +1,70 @@
+// Real levels lit anew, against the light that their makers computed with the usual tool.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "compiler/light/lighting.h"
+#include "support/effort.h"
+#include "support/game_data.h"
+#include "world/level.h"
+
+namespace temblor::test {
+namespace {
+
+// Sum over styles of a face's luxel, as when all of them are on.
+double luxel_of(const formats::Bsp& bsp, std::size_t face, std::size_t luxels, std::size_t luxel) {
+  const formats::BspFace& shape = bsp.faces[face];
+  double sum = 0;
+  for (std::size_t style = 0; style < 4 && shape.light_offset >= 0 && shape.styles[style] != 255; ++style)
+    sum += bsp.lighting.at(static_cast<std::size_t>(shape.light_offset) + style * luxels + luxel);
+  return std::min(sum, 255.0);
+}
+
+struct MeanLight {
+  double makers = 0, ours = 0, difference = 0;
+};
+// Over the faces that either of the two lights.
+MeanLight compare(const formats::Bsp& makers, const formats::Bsp& ours) {
+  const auto level = world::make_level(ours, "ours").value();
+  MeanLight mean;
+  double count = 0;
+  for (std::size_t face = 0; face < makers.faces.size(); ++face) {
+    if (makers.faces[face].light_offset < 0 && ours.faces[face].light_offset < 0) continue;
+    const auto luxels = static_cast<std::size_t>(level->faces[face].light_width()) *
+                        static_cast<std::size_t>(level->faces[face].light_height());
+    for (std::size_t luxel = 0; luxel < luxels; ++luxel, ++count) {
+      const double a = luxel_of(makers, face, luxels, luxel), b = luxel_of(ours, face, luxels, luxel);
+      mean.makers += a;
+      mean.ours += b;
+      mean.difference += std::abs(a - b);
+    }
+  }
+  return {mean.makers / count, mean.ours / count, mean.difference / count};
+}
+
+struct StockLevel {
+  const char* name;
+  compiler::LightOptions options;  // what the makers gave their tool, as far as it is known
+};
+
+TEST(LightStock, MeanLightIsThatOfTheMakers) {
+  DATA_FOLDER_OR_SKIP(base_folder);
+  const compiler::LightOptions bounce_and_dirt{.bounces = 1, .dirt = true};
+  std::vector<StockLevel> levels{{"lqdm1", bounce_and_dirt}};
+  if (!kQuick) levels.insert(levels.end(), {{"lq_e1m2", bounce_and_dirt}, {"lq_e0m1", {}}});
+  for (const StockLevel& stock : levels) {
+    const std::string name = stock.name;
+    const formats::Bsp makers =
+        formats::read_bsp(read_file(base_folder / "id1/maps" / (name + ".bsp"))).value();
+    const LitResult ours = light(makers, stock.options, 2);
+    const MeanLight mean = compare(makers, ours.bsp);
+    RecordProperty(name,
+                   fmt::format("{:.1f} for {:.1f}, {:.1f} apart", mean.ours, mean.makers, mean.difference));
+    EXPECT_NEAR(mean.ours, mean.makers, 5) << name;
+    EXPECT_LT(mean.difference, 28) << name;
+  }
+}
+
+}  // namespace
+}  // namespace temblor::test

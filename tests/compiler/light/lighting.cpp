@@ -1,0 +1,115 @@
+#include "compiler/light/lighting.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <ostream>
+#include <utility>
+
+#include "compiler/drafts.h"
+#include "support/levels/bsp_faces.h"
+#include "support/levels/room_map.h"
+
+namespace temblor::test {
+namespace {
+
+using math::Vec3d;
+
+std::string with_double_quotes(std::string text) {
+  std::replace(text.begin(), text.end(), '\'', '"');
+  return text;
+}
+
+// How far a place lies inside the corners' bounding box, but for the axis that `normal` points along.
+double depth_inside(const std::vector<math::Vec3>& corners, const Vec3d& normal, const Vec3d& place) {
+  math::Vec3 mins = corners[0], maxs = corners[0];
+  for (const math::Vec3& corner : corners) mins = glm::min(mins, corner), maxs = glm::max(maxs, corner);
+  double depth = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+    if (normal[axis] == 0)
+      depth = std::min({depth, place[axis] - double{mins[axis]}, double{maxs[axis]} - place[axis]});
+  return depth;
+}
+
+}  // namespace
+
+LitResult light(formats::Bsp bsp, const compiler::LightOptions& options, int threads,
+                compiler::LightCache* io_cache) {
+  LitResult result;
+  const auto entities = formats::read_entities(bsp.entities);
+  const compiler::FaceKeys keys = compiler::face_keys_of(bsp, entities.value());
+  base::Jobs jobs(threads, base::JobBackend::kStdThread);
+  result.bsp = std::move(bsp);
+  result.summary = compiler::light_level(
+                       result.bsp, keys, options, jobs, [](std::size_t, std::size_t) { return true; },
+                       result.warnings, io_cache)
+                       .value();
+  return result;
+}
+
+formats::Bsp room_with(const RoomSetup& setup) {
+  constexpr double kSkyDepth = 16;
+  Vec3d maxs(kHalfRoom);
+  std::string brushes;
+  if (setup.sky) {
+    brushes =
+        box_text({-kHalfRoom, -kHalfRoom, kHalfRoom}, {kHalfRoom, kHalfRoom, kHalfRoom + kSkyDepth}, "sky1");
+    maxs.z += kSkyDepth;
+  }
+  brushes += walls_text(Vec3d(-kHalfRoom), maxs, "wall");
+  const std::string world = entity_text("worldspawn", setup.world_keys, brushes);
+  // Outside is filled only where somebody is inside.
+  const std::string start = point_text("info_player_start", Vec3d(0.0));
+  return draft_of(with_double_quotes(world + setup.entities + start)).draft.bsp;
+}
+
+Vec3d luxel_place(const world::Level& level, const world::Face& face, int column, int row) {
+  const world::TextureAxes& axes = level.texture_axes[face.axes];
+  const world::FacePlane plane = world::plane_of(level, face);
+  const glm::dmat3 rows = glm::transpose(glm::dmat3(Vec3d(axes.s_axis), Vec3d(axes.t_axis), plane.normal));
+  return glm::inverse(rows) * Vec3d(face.texture_mins[0] + 16.0 * column - double{axes.s_offset},
+                                    face.texture_mins[1] + 16.0 * row - double{axes.t_offset},
+                                    plane.distance);
+}
+
+std::vector<RoomLuxel> room_luxels(const LitResult& lit, std::uint8_t style, double margin) {
+  const auto level = world::make_level(lit.bsp, "room").value();
+  std::vector<RoomLuxel> luxels;
+  for (std::size_t i = 0; i < level->faces.size(); ++i) {
+    const world::Face& face = level->faces[i];
+    if (face.kind == world::FaceKind::kSky) continue;
+    const auto corners = vertices_of(lit.bsp, lit.bsp.faces[i]);
+    const Vec3d normal = world::plane_of(*level, face).normal;
+    const auto found = std::ranges::find(face.styles, style);
+    const bool has_light = face.light != world::kNoLight && found != face.styles.end();
+    const int luxels_of_style = face.light_width() * face.light_height();
+    const auto luxels_before = static_cast<int>(found - face.styles.begin()) * luxels_of_style;
+    for (int row = 0; row < face.light_height(); ++row)
+      for (int column = 0; column < face.light_width(); ++column) {
+        const Vec3d place = luxel_place(*level, face, column, row);
+        if (depth_inside(corners, normal, place) < margin) continue;
+        RoomLuxel& luxel = luxels.emplace_back();
+        luxel.of_world = i < level->world().face_count;
+        luxel.place_world = place + normal;
+        luxel.normal = normal;
+        if (!has_light) continue;
+        const std::size_t sample =
+            face.light + static_cast<std::size_t>(luxels_before + row * face.light_width() + column);
+        luxel.gray = luxel.rgb[0] = luxel.rgb[1] = luxel.rgb[2] = level->light.at(sample);
+        if (lit.summary.colored)
+          std::copy_n(lit.summary.lit.samples.begin() + static_cast<std::ptrdiff_t>(sample * 3), 3,
+                      luxel.rgb.begin());
+      }
+  }
+  return luxels;
+}
+
+std::ostream& operator<<(std::ostream& io_stream, const RoomLuxel& luxel) {
+  const Vec3d &at = luxel.place_world, &towards = luxel.normal;
+  return io_stream << fmt::format("at {} {} {}, facing {} {} {}", at.x, at.y, at.z, towards.x, towards.y,
+                                  towards.z);
+}
+
+}  // namespace temblor::test

@@ -1,0 +1,135 @@
+// Saved visibility: round trips, damage, and work shared between processes that know of each other by bytes.
+#include "compiler/vis/visibility_state.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "artgen/small_level.h"
+#include "compiler/bsp/tree_portals.h"
+#include "support/effort.h"
+#include "support/mutations.h"
+
+namespace temblor::compiler {
+namespace {
+
+using base::ErrorCode;
+
+constexpr auto kKeepGoing = [](std::size_t, std::size_t) { return true; };
+
+PortalSet small_portals() {
+  return make_tree_portals(artgen::make_small_level()).value();
+}
+
+VisibilityState finished_state(const PortalSet& portals) {
+  base::Jobs jobs(1);
+  VisibilityState state = begin_visibility(portals);
+  EXPECT_EQ(continue_visibility(portals, jobs, kKeepGoing, state), VisibilityEnd::kFinished);
+  return state;
+}
+
+// Some portals finished, some not.
+VisibilityState stopped_state(const PortalSet& portals) {
+  base::Jobs jobs(1);
+  VisibilityState state = begin_visibility(portals);
+  const auto stop_midway = [](std::size_t done, std::size_t total) { return done * 3 < total; };
+  EXPECT_EQ(continue_visibility(portals, jobs, stop_midway, state), VisibilityEnd::kStopped);
+  return state;
+}
+
+TEST(VisibilityState, ReadsBackEqual) {
+  const PortalSet portals = small_portals();
+  const VisibilityState begun = begin_visibility(portals);
+  for (const VisibilityState& state : {begun, stopped_state(portals), finished_state(portals)}) {
+    const auto read = read_visibility_state(write_visibility_state(state), begun);
+    ASSERT_TRUE(read.ok()) << read.error().message();
+    EXPECT_EQ(*read, state);
+  }
+}
+
+TEST(VisibilityState, OfAnotherLevelIsRefused) {
+  PortalSet portals = small_portals();
+  const base::ByteVector bytes = write_visibility_state(finished_state(portals));
+  portals.portals[0].winding_world[0].x += 1;
+  const VisibilityState begun = begin_visibility(portals);
+  const auto read = read_visibility_state(bytes, begun);
+  ASSERT_FALSE(read.ok());
+  EXPECT_EQ(read.error().code, ErrorCode::kUsage);
+  EXPECT_NE(read.error().what.find("another level"), std::string::npos);
+
+  VisibilityState state = begun;
+  const VisibilityState other = finished_state(small_portals());
+  const auto merged = merge_visibility_state(other, state);
+  ASSERT_FALSE(merged.ok());
+  EXPECT_EQ(merged.error().code, ErrorCode::kUsage);
+  EXPECT_EQ(state, begun);
+}
+
+TEST(VisibilityState, DamagedIsRefused) {
+  // Four windows in line between five of 70 clusters: two words a row.
+  PortalSet portals;
+  portals.cluster_count = 70;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const double x = 100.0 * i;
+    portals.portals.push_back({{{x, 0, 0}, {x, 0, 10}, {x, 10, 10}, {x, 10, 0}}, {1, 0, 0}, x, {i + 1, i}});
+  }
+  const VisibilityState begun = begin_visibility(portals);
+  const base::ByteVector bytes = write_visibility_state(finished_state(portals));
+  test::for_each_truncation(bytes, [&](const base::ByteVector& cut) {
+    EXPECT_FALSE(read_visibility_state(cut, begun).ok()) << cut.size();
+  });
+  test::Random random(3);
+  for (int i = 0; i < test::effort(2000, 200); ++i) {
+    const base::ByteVector damaged = test::with_flipped_bits(bytes, random);
+    if (damaged == bytes) continue;  // the same bit twice
+    EXPECT_FALSE(read_visibility_state(damaged, begun).ok()) << i;
+  }
+  const auto newer = read_visibility_state(test::with_number(bytes, 4, std::uint32_t{2}), begun);
+  ASSERT_FALSE(newer.ok());
+  EXPECT_EQ(newer.error().code, ErrorCode::kUnsupported);
+}
+
+TEST(VisibilityState, TwoResultsForOnePortalAreRefused) {
+  const PortalSet portals = small_portals();
+  const VisibilityState state = finished_state(portals);
+  VisibilityState wrong = state, merged = state;
+  wrong.seen.row(5)[0] ^= 1;
+  const auto status = merge_visibility_state(wrong, merged);
+  ASSERT_FALSE(status.ok());
+  EXPECT_NE(status.error().what.find("portal 5"), std::string::npos) << status.error().what;
+  EXPECT_EQ(merged, state);
+}
+
+// As separate processes do it: each begins with the bytes of what all have, and leaves bytes.
+base::ByteVector work_in_shares(const PortalSet& portals, std::uint32_t share_count, int& out_rounds) {
+  const VisibilityState begun = begin_visibility(portals);
+  base::ByteVector all = write_visibility_state(begun);
+  base::Jobs jobs(1);
+  for (out_rounds = 1; out_rounds < 100; ++out_rounds) {
+    VisibilityState merged = begun;
+    bool finished = true;
+    for (std::uint32_t index = 0; index < share_count; ++index) {
+      VisibilityState own = read_visibility_state(all, begun).value();
+      const auto end = continue_visibility(portals, jobs, kKeepGoing, own, {index, share_count});
+      finished = finished && end == VisibilityEnd::kFinished;
+      const auto left = read_visibility_state(write_visibility_state(own), begun);
+      EXPECT_TRUE(merge_visibility_state(*left, merged).ok());
+    }
+    all = write_visibility_state(merged);
+    if (finished) break;
+  }
+  return all;
+}
+
+TEST(VisibilityState, SharesMergedAreTheSameBytesAsOneRun) {
+  const PortalSet portals = small_portals();
+  const base::ByteVector whole = write_visibility_state(finished_state(portals));
+  for (const std::uint32_t share_count : {1u, 2u, 3u, 16u}) {
+    int rounds = 0;
+    EXPECT_EQ(work_in_shares(portals, share_count, rounds), whole) << share_count << " shares";
+    EXPECT_LE(rounds, 8) << share_count << " shares";
+  }
+}
+
+}  // namespace
+}  // namespace temblor::compiler

@@ -1,0 +1,194 @@
+#include "formats/game/progs.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/mutations.h"
+#include "support/programs/progs_builder.h"
+#include "support/random.h"
+
+namespace temblor::formats {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr std::size_t kProgsHeaderBytes = 60, kStatementsAt = 8, kGlobalsAt = 16, kFieldsAt = 24,
+                      kFunctionsAt = 32, kStringsAt = 40, kWordsAt = 48, kEntityWordsAt = 56;
+
+std::string error_of_progs(base::Bytes bytes) {
+  const auto progs = read_progs(bytes);
+  return progs.ok() ? "no error" : progs.error().what;
+}
+
+Progs small_program() {
+  test::ProgsBuilder builder;
+  builder.named("time", ProgsType::kFloat);
+  builder.named("v_forward", ProgsType::kVector);
+  builder.field("health", ProgsType::kFloat);
+  builder.field("origin", ProgsType::kVector);
+  builder.builtin("dprint", 25);
+  builder.function("main", {1, 3}, 2);
+  builder.emit(vm::Opcode::kReturn, builder.locals());
+  return builder.progs();
+}
+
+// Where the file's first function with statements is, and where its first global is.
+std::size_t section(base::Bytes bytes, std::size_t header_at) {
+  base::ByteReader reader(bytes);
+  reader.seek(header_at);
+  return reader.u32();
+}
+
+// Byte by byte: one statement, one global, no field, two functions.
+base::ByteVector smallest_program() {
+  base::ByteWriter writer;
+  for (const std::uint32_t number : {6u, 5927u, 60u, 2u, 76u, 1u, 84u, 0u, 84u, 2u, 156u, 7u, 163u, 29u, 0u})
+    writer.u32(number);
+  for (const int number : {0, 0, 0, 0, 43, 28, 0, -1}) writer.i16(static_cast<std::int16_t>(number));
+  writer.u16(0x8002);
+  writer.u16(28);
+  writer.u32(1);
+  for (int i = 0; i < 9; ++i) writer.i32(0);
+  for (const int number : {1, 28, 1, 99, 3, 5, 1}) writer.i32(number);
+  for (int i = 0; i < 8; ++i) writer.u8(i == 0 ? 1 : 0);
+  writer.bytes(base::as_bytes(std::string_view("\0t\0m\0q\0", 7)));
+  for (std::uint32_t i = 0; i < 29; ++i) writer.u32(100 + i);
+  return std::move(writer).take();
+}
+
+TEST(Progs, ReadsAHandMadeOne) {
+  const auto progs = read_progs(smallest_program());
+  ASSERT_TRUE(progs.ok()) << progs.error().message();
+  EXPECT_EQ(progs->crc, kQuakeProgsCrc);
+  ASSERT_EQ(progs->statements.size(), 2u);
+  EXPECT_EQ(progs->statements[1], (ProgsStatement{43, {28, 0, 0xffff}}));
+  ASSERT_EQ(progs->globals.size(), 1u);
+  EXPECT_EQ(progs->globals[0], (ProgsDefinition{ProgsType::kFloat, true, 28, 1}));
+  EXPECT_EQ(progs->string_at(1), "t");
+  ASSERT_EQ(progs->functions.size(), 2u);
+  EXPECT_EQ(progs->functions[1], (ProgsFunction{1, 28, 1, 3, 5, 1, {1}}));
+  EXPECT_EQ(progs->global_words[28], 128u);
+}
+
+TEST(Progs, WhatIsWrittenReadsBackTheSame) {
+  const Progs progs = small_program();
+  const auto back = read_progs(write_progs(progs));
+  ASSERT_TRUE(back.ok()) << back.error().message();
+  EXPECT_EQ(*back, progs);
+}
+
+TEST(Progs, EveryTruncationIsAnError) {
+  for (const base::ByteVector& file : {smallest_program(), write_progs(small_program())}) {
+    test::for_each_truncation(file, [](const base::ByteVector& bytes) {
+      EXPECT_THAT(error_of_progs(bytes),
+                  HasSubstr(bytes.size() < kProgsHeaderBytes ? "header has 60 bytes" : "past the end"));
+    });
+  }
+}
+
+TEST(Progs, FlippedBitsAreAnErrorOrReadBackTheSame) {
+  const base::ByteVector file = write_progs(small_program());
+  for (std::uint64_t seed = 0; seed < 5000; ++seed) {
+    test::Random random(seed);
+    const auto progs = read_progs(test::with_flipped_bits(file, random));
+    if (!progs.ok()) continue;
+    const auto back = read_progs(write_progs(*progs));
+    ASSERT_TRUE(back.ok()) << seed;
+    EXPECT_EQ(*back, *progs) << seed;
+  }
+}
+
+TEST(Progs, OtherVersionsAreRefused) {
+  for (const std::int32_t version : {0, 3, 5, 7, -1})
+    EXPECT_THAT(error_of_progs(test::with_number(smallest_program(), 0, version)),
+                HasSubstr("only version 6 is known"));
+}
+
+TEST(Progs, CountsThatTheFileCannotHold) {
+  const base::ByteVector file = write_progs(small_program());
+  for (const std::size_t at : {kStatementsAt, kGlobalsAt, kFieldsAt, kFunctionsAt, kStringsAt, kWordsAt}) {
+    for (const std::uint32_t count : {1u << 31, 0xffffffffu, 1u << 20})
+      EXPECT_THAT(error_of_progs(test::with_number(file, at + 4, count)),
+                  HasSubstr("past the end of the file"));
+    EXPECT_THAT(error_of_progs(test::with_number(file, at, 0xffffffffu)),
+                HasSubstr("past the end of the file"));
+  }
+  EXPECT_EQ(error_of_progs(test::with_number(file, kStatementsAt + 4, 0)), "no statements");
+  EXPECT_EQ(error_of_progs(test::with_number(file, kFunctionsAt + 4, 0)), "no functions");
+  EXPECT_THAT(error_of_progs(test::with_number(file, kWordsAt + 4, 27)), HasSubstr("27 global words"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, kEntityWordsAt, 1u << 31)),
+              HasSubstr("2147483648 words an entity"));
+}
+
+TEST(Progs, StringsBeginAndEndWithAZero) {
+  base::ByteVector file = smallest_program();
+  const std::size_t at = section(file, kStringsAt);
+  for (const std::size_t place : {at, at + 6})
+    EXPECT_THAT(error_of_progs(test::with_number(file, place, 'x')), HasSubstr("begin and end with a zero"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, kStringsAt + 4, 0)),
+              HasSubstr("begin and end with a zero"));
+}
+
+TEST(Progs, DefinitionsOutOfPlace) {
+  const base::ByteVector file = write_progs(small_program());
+  const std::size_t global = section(file, kGlobalsAt), field = section(file, kFieldsAt);
+  EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, global, 8)),
+              HasSubstr("global 0 (\"time\"): type 8"));
+  EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, global + 2, 0xffff)),
+              HasSubstr("global 0 (\"time\"): it lies at word 65535"));
+  EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, field + 2, 4)),
+              HasSubstr("field 0 (\"health\")"));
+  // A vector whose third word is one too far.
+  EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, field + 10, 2)),
+              HasSubstr("field 1 (\"origin\")"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, global + 4, 0x7fffffff)),
+              HasSubstr("global 0: its name or file lies at"));
+}
+
+TEST(Progs, FunctionsOutOfPlace) {
+  const base::ByteVector file = write_progs(small_program());
+  const std::size_t main = section(file, kFunctionsAt) + 2 * 36;
+  EXPECT_THAT(error_of_progs(test::with_number(file, main, 2)), HasSubstr("begins at statement 2 of 2"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, main, 0x7fffffff)), HasSubstr("begins at statement"));
+  for (const std::uint32_t first_local : {1000u, 0xffffffffu})
+    EXPECT_THAT(error_of_progs(test::with_number(file, main + 4, first_local)),
+                HasSubstr("its 6 locals lie at"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, main + 8, 0xffffffffu)),
+              HasSubstr("4294967295 locals lie at"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, main + 16, 0xffffffffu)),
+              HasSubstr("function 2: its name or file lies at"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, main + 20, 0xffffffffu)),
+              HasSubstr("function 2: its name or file lies at"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, main + 24, 9)), HasSubstr("9 parameters"));
+  EXPECT_THAT(error_of_progs(test::with_number<std::uint8_t>(file, main + 28, 4)),
+              HasSubstr("parameter 0 has 4 words"));
+  // Parameters alone do not fit.
+  base::ByteVector tight = test::with_number(
+      file, main + 4, static_cast<std::uint32_t>(read_progs(file)->global_words.size() - 3));
+  tight = test::with_number(tight, main + 8, 0);
+  EXPECT_THAT(error_of_progs(tight), HasSubstr("its 4 locals lie at"));
+}
+
+TEST(Progs, NamesThatDoNotEnd) {
+  for (const std::size_t chars : {1024u, 1025u, 100'000u}) {
+    Progs progs = small_program();
+    progs.globals[0].name = static_cast<std::uint32_t>(progs.strings.size());
+    progs.strings += std::string(chars, 'x') + '\0';
+    EXPECT_THAT(error_of_progs(write_progs(progs)),
+                HasSubstr(chars > 1024 ? "global 0: its name or file has more than" : "no error"));
+    std::swap(progs.globals[0].name, progs.functions[1].file);
+    EXPECT_THAT(error_of_progs(write_progs(progs)),
+                HasSubstr(chars > 1024 ? "function 1: its name or file has more than" : "no error"));
+  }
+}
+
+TEST(Progs, BuiltInFunctionsMayTakeAnyNumberOfParameters) {
+  const base::ByteVector file = write_progs(small_program());
+  const std::size_t dprint = section(file, kFunctionsAt) + 36;
+  const auto progs = read_progs(test::with_number(file, dprint + 24, -2));
+  ASSERT_TRUE(progs.ok()) << progs.error().message();
+  EXPECT_EQ(progs->functions[1].parameter_count, -2);
+}
+
+}  // namespace
+}  // namespace temblor::formats

@@ -1,0 +1,206 @@
+// Level files that are cut off, flipped or made to do harm: an error, and never more work or memory than the
+// file's size justifies.
+#include <gtest/gtest.h>
+
+#include "formats/levels/bsp.h"
+#include "formats/levels/cube_room.h"
+#include "support/effort.h"
+#include "support/random.h"
+
+namespace temblor::formats {
+namespace {
+
+constexpr std::array kBadVersions{BspVersion::k29, BspVersion::k2Psb, BspVersion::kBsp2};
+
+template <typename T>
+void poke(base::ByteVector& io_file, std::size_t offset, T value) {
+  ASSERT_LE(offset + sizeof(T), io_file.size());
+  std::memcpy(io_file.data() + offset, &value, sizeof(T));
+}
+
+std::size_t entry_of(BspLump lump) {
+  return 4 + 8 * static_cast<std::size_t>(lump);
+}
+std::uint32_t offset_of(base::Bytes file, BspLump lump) {
+  base::ByteReader reader(file);
+  reader.seek(entry_of(lump));
+  return reader.u32();
+}
+
+std::string error_of_bsp(base::Bytes file) {
+  const auto bsp = read_bsp(file);
+  return bsp.ok() ? "no error" : bsp.error().what;
+}
+
+TEST(BspBadBytes, EveryTruncationIsAnError) {
+  for (const BspVersion version : kBadVersions) {
+    const auto file = test::make_cube_room_file(version);
+    for (std::size_t size = 0; size < file.size(); ++size) {
+      // A block of exactly this size, so that the address sanitizer sees a read past the end.
+      const base::ByteVector cut(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size));
+      EXPECT_FALSE(read_bsp(cut).ok()) << name_of(version) << " cut to " << size;
+    }
+  }
+}
+
+TEST(BspBadBytes, TruncatedBspxIsAnErrorOnceItIsMarked) {
+  Bsp room = test::make_cube_room();
+  const std::size_t lumps_end = write_bsp(room, BspVersion::k29).value().size();
+  room.bspx = {{"A", base::ByteVector(6)}, {"B", base::ByteVector(4)}};
+  const auto file = write_bsp(room, BspVersion::k29).value();
+  for (std::size_t size = lumps_end; size < file.size(); ++size) {
+    const base::ByteVector cut(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size));
+    EXPECT_EQ(read_bsp(cut).ok(), size < lumps_end + 4) << size;
+  }
+}
+
+TEST(BspBadBytes, FlippedBitsGiveAnErrorOrASoundLevel) {
+  Bsp room = test::make_cube_room();
+  room.bspx = {{"RGBLIGHTING", base::ByteVector(30)}};
+  constexpr int kRuns = test::effort(20000, 3000);
+  int sound = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    const BspVersion version = kBadVersions[static_cast<std::size_t>(run) % 3];
+    auto file = write_bsp(room, version).value();
+    test::Random random(static_cast<std::uint64_t>(run));
+    const std::size_t flips = 1 + random.below(8);
+    for (std::size_t i = 0; i < flips; ++i)
+      file[random.below(file.size())] ^= static_cast<std::byte>(1u << random.below(8));
+    const auto bsp = read_bsp(file);
+    if (!bsp.ok()) continue;
+    ++sound;
+    const auto again = write_bsp(*bsp, bsp->version);
+    ASSERT_TRUE(again.ok()) << "seed " << run << ": " << again.error().message();
+    const auto back = read_bsp(*again);
+    ASSERT_TRUE(back.ok()) << "seed " << run << ": " << back.error().message();
+    ASSERT_TRUE(*back == *bsp) << "seed " << run;
+  }
+  // Texels, light and text take any value, so that some files must have survived.
+  EXPECT_GT(sound, kRuns / 10);
+  EXPECT_LT(sound, kRuns);
+}
+
+TEST(BspBadBytes, UnknownVersions) {
+  auto file = test::make_cube_room_file(BspVersion::k29);
+  const auto message = [&](std::int32_t version) {
+    poke(file, 0, version);
+    EXPECT_EQ(read_bsp(file).error().code, base::ErrorCode::kUnsupported);
+    return error_of_bsp(file);
+  };
+  EXPECT_EQ(message(28), "not a Quake level: unknown version 28 (known: 29, 2PSB, BSP2)");
+  EXPECT_EQ(message(30), "version 30: Half-Life's levels are not supported");
+  EXPECT_EQ(message(0x20343651), "version \"Q64 \": Quake 64's levels are not supported");
+}
+
+TEST(BspBadBytes, LumpsOutsideTheFile) {
+  for (std::size_t i = 0; i < kBspLumpCount; ++i) {
+    const auto lump = static_cast<BspLump>(i);
+    for (const std::uint32_t number : {0x7fffffffu, 0x80000000u, 0xffffffffu}) {
+      auto file = test::make_cube_room_file(BspVersion::k29);
+      poke(file, entry_of(lump), number);
+      EXPECT_NE(error_of_bsp(file).find("past the end of the file"), std::string::npos) << error_of_bsp(file);
+      file = test::make_cube_room_file(BspVersion::k29);
+      poke(file, entry_of(lump) + 4, number);
+      EXPECT_NE(error_of_bsp(file).find("past the end of the file"), std::string::npos) << error_of_bsp(file);
+    }
+  }
+}
+
+TEST(BspBadBytes, LumpsThatAreNoWholeNumberOfRecords) {
+  auto file = test::make_cube_room_file(BspVersion::k29);
+  poke(file, entry_of(BspLump::kFaces) + 4, std::uint32_t{119});
+  EXPECT_EQ(error_of_bsp(file),
+            fmt::format("lump faces: 119 bytes at offset {:#x} are not a whole number of 20-byte records",
+                        offset_of(file, BspLump::kFaces)));
+}
+
+TEST(BspBadBytes, LumpsMadeOfTheSameBytes) {
+  auto file = test::make_cube_room_file(BspVersion::k29);
+  const auto size = static_cast<std::uint32_t>(file.size());
+  for (const BspLump lump : {BspLump::kLighting, BspLump::kVisibility}) {
+    poke(file, entry_of(lump), std::uint32_t{0});
+    poke(file, entry_of(lump) + 4, size);
+  }
+  EXPECT_EQ(error_of_bsp(file).substr(0, 13), "lumps overlap");
+}
+
+TEST(BspBadBytes, TextureCounts) {
+  for (const std::uint32_t count : {0x80000000u, 0xffffffffu, 0x1000u}) {
+    auto file = test::make_cube_room_file(BspVersion::k29);
+    poke(file, offset_of(file, BspLump::kTextures), count);
+    EXPECT_NE(error_of_bsp(file).find(fmt::format("lump textures: {} textures do not fit", count)),
+              std::string::npos)
+        << error_of_bsp(file);
+  }
+}
+
+TEST(BspBadBytes, TextureSizesOffsetsAndMips) {
+  const auto clean = test::make_cube_room_file(BspVersion::k29);
+  const std::uint32_t lump = offset_of(clean, BspLump::kTextures);
+  const std::uint32_t texture = 16;  // the first, behind a count and three offsets
+  const auto error_with = [&](std::size_t offset_in_lump, std::uint32_t value) {
+    auto file = clean;
+    poke(file, lump + offset_in_lump, value);
+    std::string error = error_of_bsp(file);
+    const std::string begin = "lump textures: texture 0 at offset ";
+    EXPECT_EQ(error.substr(0, begin.size()), begin) << error;
+    return error.substr(error.find(": ", begin.size()) + 2);
+  };
+  EXPECT_EQ(error_with(texture + 16, 0), "size 0 x 16 is not within 1 to 16384");
+  EXPECT_EQ(error_with(texture + 20, 0), "size 16 x 0 is not within 1 to 16384");
+  EXPECT_EQ(error_with(texture + 16, 1u << 20), "size 1048576 x 16 is not within 1 to 16384");
+  EXPECT_EQ(error_with(texture + 20, 0x80000000u), "size 16 x 2147483648 is not within 1 to 16384");
+  EXPECT_EQ(error_with(texture + 16, 16384),
+            "mip level 0 (16384 x 16 at 0x28 from the texture's start) lies outside its data");
+  EXPECT_EQ(error_with(texture + 24, 0xffffffffu),
+            "mip level 0 (16 x 16 at 0xffffffff from the texture's start) lies outside its data");
+  EXPECT_EQ(error_with(texture + 28, 0),
+            "mip level 1 (8 x 8 at 0x0 from the texture's start) lies outside its data");
+  EXPECT_EQ(error_with(4, 0x7fffffff), "its header reaches past the end of the lump");
+  EXPECT_EQ(error_with(4, 0xfffffffe), "its header reaches past the end of the lump");
+}
+
+// A table of 100,000 entries for one texture of 1 MB would unpack to 130 GB.
+TEST(BspBadBytes, ManyTexturesOfTheSameBytes) {
+  constexpr std::uint32_t kTextures = 100000;
+  constexpr std::uint32_t kTexture = 4 + 4 * kTextures;
+  base::ByteWriter lump;
+  lump.u32(kTextures);
+  for (std::uint32_t i = 0; i < kTextures; ++i) lump.u32(kTexture);
+  lump.fixed_text("big", 16);
+  for (const std::uint32_t number : {1024u, 1024u, 40u, 40u, 40u, 40u}) lump.u32(number);
+  lump.fixed_text("", 1024 * 1024);
+
+  auto file = test::make_cube_room_file(BspVersion::k29);
+  poke(file, entry_of(BspLump::kTextures), static_cast<std::uint32_t>(file.size()));
+  poke(file, entry_of(BspLump::kTextures) + 4, static_cast<std::uint32_t>(lump.size()));
+  file.insert(file.end(), lump.view().begin(), lump.view().end());
+  EXPECT_NE(error_of_bsp(file).find("textures overlap"), std::string::npos) << error_of_bsp(file);
+}
+
+TEST(BspBadBytes, Bspx) {
+  const auto room = test::make_cube_room_file(BspVersion::k29);
+  const auto error_with = [&](std::uint32_t count, std::uint32_t offset, std::uint32_t size) {
+    base::ByteWriter file;
+    file.bytes(room);
+    file.align(4);
+    file.bytes(base::as_bytes("BSPX"));
+    file.u32(count);
+    for (int i = 0; i < 2; ++i) {
+      file.fixed_text("LUMP", 24);
+      file.u32(offset);
+      file.u32(size);
+    }
+    return error_of_bsp(file.view());
+  };
+  const auto all = static_cast<std::uint32_t>(room.size());
+  EXPECT_EQ(error_with(2, 0, 10), "no error");
+  EXPECT_EQ(error_with(3, 0, 10), "BSPX: 3 lumps do not fit before the end of the file");
+  EXPECT_EQ(error_with(0x80000000u, 0, 10), "BSPX: 2147483648 lumps do not fit before the end of the file");
+  EXPECT_EQ(error_with(2, 0xffffffffu, 10),
+            "BSPX: lump 0 \"LUMP\": 10 bytes at offset 0xffffffff reach past the end of the file");
+  EXPECT_EQ(error_with(2, 0, all), "BSPX: lumps overlap: together they are larger than the file");
+}
+
+}  // namespace
+}  // namespace temblor::formats

@@ -1,0 +1,292 @@
+// Messages that make no sense: what is said of them, and that nothing worse happens.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "net/protocol/dialects.h"
+#include "net/protocol/message_text.h"
+#include "net/protocol/random_message.h"
+#include "support/effort.h"
+#include "support/mutations.h"
+
+namespace temblor::net {
+namespace {
+
+using base::ErrorCode;
+using test::bytes_of;
+using test::k15;
+using test::reader_of;
+using test::written;
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+
+constexpr Dialect k666{Protocol::kFitzQuake, 0};
+constexpr Dialect kFloats{Protocol::kRmq, kFloatCoord | kFloatAngle};
+
+// Reads the bytes, which are at offset 1000 of a file, to their first error.
+base::Error error_of(base::Bytes bytes, const Dialect& dialect = k15) {
+  MessageReader reader = reader_of(dialect);
+  reader.begin(bytes, 1000);
+  while (true) {
+    const auto message = reader.next();
+    if (!message.ok()) return message.error();
+    if (!message->has_value()) return base::malformed("no error at all");
+  }
+}
+
+TEST(BadMessage, SaysWhatEndsTooSoonAndWhere) {
+  // Behind a nop: a sound with volume.
+  EXPECT_EQ(error_of(bytes_of({1, 6, 1, 255})).message(),
+            "offset 1001: svc_sound: message ends after 3 of 12 bytes");
+  EXPECT_EQ(error_of(bytes_of({3})).message(),
+            "offset 1000: svc_updatestat: message ends after 1 of 6 bytes");
+  EXPECT_EQ(error_of(bytes_of({0x80 | 2})).message(),
+            "offset 1000: fast update: message ends after 1 of 4 bytes");
+  EXPECT_EQ(error_of(bytes_of({12, 3})).message(), "offset 1000: svc_lightstyle: the pattern has no end");
+  EXPECT_EQ(error_of(bytes_of({8, 'a', 'b'})).message(), "offset 1000: svc_print: the text has no end");
+}
+
+TEST(BadMessage, UnknownNumbers) {
+  for (int id = 0; id < 128; ++id) {
+    const bool known =
+        (id >= 1 && id <= 34 && id != 21) || id == 37 || (id >= 40 && id <= 44) || id == 52 || id == 56;
+    const bool of_2021 = id == 38 || (id >= 45 && id <= 56);
+    const base::Error error = error_of(bytes_of({id}));
+    SCOPED_TRACE(error.message());
+    if (known) {
+      EXPECT_THAT(error.message(), ::testing::Not(HasSubstr("no such message")));
+      EXPECT_THAT(error.message(), ::testing::Not(HasSubstr("length is not known")));
+      continue;
+    }
+    EXPECT_EQ(error.code, ErrorCode::kUnsupported);
+    if (of_2021)
+      EXPECT_THAT(error.message(),
+                  MatchesRegex(
+                      "offset 1000: svc_[a-z]+: a message of the 2021 re-release whose length is not known"));
+    else
+      EXPECT_EQ(error.message(), "offset 1000: message " + std::to_string(id) + ": no such message is known");
+  }
+}
+
+TEST(BadMessage, UnknownProtocols) {
+  const auto info = [](std::int32_t protocol) {
+    return test::with_number(written(ServerInfo{}, k15), 1, protocol);
+  };
+  for (const std::int32_t protocol : {0, 14, 16, 28, 667, -1, std::numeric_limits<std::int32_t>::max()}) {
+    const base::Error error = error_of(info(protocol));
+    EXPECT_EQ(error.code, ErrorCode::kUnsupported);
+    EXPECT_EQ(error.message(), "offset 1000: svc_serverinfo: protocol " + std::to_string(protocol) +
+                                   " is not known; known are 15, 666 and 999");
+  }
+  const Dialect rmq{Protocol::kRmq, 0};
+  EXPECT_EQ(error_of(test::with_number(written(ServerInfo{.dialect = rmq}, rmq), 5, 0x300u)).message(),
+            "offset 1000: svc_serverinfo: protocol 999's flags 0x300 are not known; known are 0xfe");
+}
+
+TEST(BadMessage, ExtensionsOfFteAreNamed) {
+  base::ByteWriter writer;
+  writer.u8(11);
+  writer.bytes(base::as_bytes("FTEX"));
+  writer.u32(0x20);
+  writer.bytes(base::as_bytes("FTE2"));
+  writer.u32(8 | 64);
+  writer.i32(999);
+  writer.bytes(test::to_bytes("any other bytes"));
+  const base::Error error = error_of(writer.view());
+  EXPECT_EQ(error.code, ErrorCode::kUnsupported);
+  EXPECT_EQ(error.message(),
+            "offset 1000: svc_serverinfo: uses the protocol extensions FTEX 0x20 and FTE2 0x48 (replacement "
+            "deltas, size encoding), which are not supported");
+}
+
+TEST(BadMessage, PrecacheListsThatAreTooLong) {
+  base::ByteWriter writer;
+  writer.u8(11);
+  writer.i32(15);
+  writer.u16(1);
+  writer.bytes(test::to_bytes("name"));
+  writer.u8(0);
+  for (int i = 0; i < 100000; ++i) {
+    writer.u8('m');
+    writer.u8(0);
+  }
+  const base::Error error = error_of(writer.view());
+  EXPECT_EQ(error.code, ErrorCode::kTooLarge);
+  EXPECT_EQ(error.message(), "offset 1000: svc_serverinfo: the list of models has more than 4096 names");
+
+  const std::vector<std::string_view> models(kMaxModels, "m"), sounds(kMaxSounds, "s");
+  MessageReader reader;
+  const base::ByteVector most = written(ServerInfo{.models = models, .sounds = sounds}, k15);
+  reader.begin(most);
+  EXPECT_TRUE(reader.next().ok());
+  base::ByteVector more(most.begin(), most.end() - 1);
+  for (const char byte : {'s', '\0', '\0'}) more.push_back(static_cast<std::byte>(byte));
+  EXPECT_THAT(error_of(more).message(), HasSubstr("the list of sounds has more than 2048 names"));
+  EXPECT_THAT(error_of(base::Bytes(most).first(most.size() - 1)).message(),
+              HasSubstr("the list of sounds has no end"));
+}
+
+TEST(BadMessage, FlagsThatNobodyKnows) {
+  EXPECT_EQ(error_of(bytes_of({0x81, 0x80, 7})).message(),
+            "offset 1000: fast update: protocol 15 has no flags 0x8000");
+  EXPECT_EQ(error_of(bytes_of({0x81, 0x80, 0x60, 7}), k666).message(),
+            "offset 1000: fast update: protocol 666 has no flags 0x600000");
+  EXPECT_EQ(error_of(bytes_of({0x81, 0x80, 0x80, 2, 7}), k666).message(),
+            "offset 1000: fast update: protocol 666 has no flags 0x2000000");
+  EXPECT_EQ(error_of(bytes_of({15, 0, 0x81})).message(),
+            "offset 1000: svc_clientdata: protocol 15 has no flags 0x8100");
+  EXPECT_EQ(error_of(bytes_of({6, 9})).message(), "offset 1000: svc_sound: protocol 15 has no flags 0x8");
+  EXPECT_EQ(error_of(bytes_of({6, 4}), k666).message(),
+            "offset 1000: svc_sound: protocol 666 has no flags 0x4");
+  EXPECT_EQ(error_of(bytes_of({42, 1, 0, 16}), k666).message(),
+            "offset 1000: svc_spawnbaseline2: protocol 666 has no flags 0x10");
+}
+
+TEST(BadMessage, FieldsThatMakeNoSense) {
+  EXPECT_EQ(error_of(bytes_of({23, 14, 0, 0, 0, 0, 0, 0})).message(),
+            "offset 1000: svc_temp_entity: temporary entity 14 is not known; known are 0 to 13");
+  EXPECT_EQ(error_of(bytes_of({5, 0x00, 0x7d})).message(),
+            "offset 1000: svc_setview: entity 32000 is over 31999");
+  EXPECT_EQ(error_of(bytes_of({0x81, 0x40, 0xff, 0xff})).message(),
+            "offset 1000: fast update: entity 65535 is over 31999");
+  EXPECT_EQ(error_of(bytes_of({22, 0x00, 0x80, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0})).message(),
+            "offset 1000: svc_spawnbaseline: entity 32768 is over 31999");
+  EXPECT_EQ(error_of(bytes_of({0x81, 0x80, 2, 7, 1}), k666).message(),
+            "offset 1000: fast update: the frame's high byte comes without its low byte");
+  EXPECT_EQ(error_of(test::with_number(written(ServerInfo{}, k15), 5, std::uint8_t{0})).message(),
+            "offset 1000: svc_serverinfo: a game for 0 players");
+}
+
+TEST(BadMessage, NumbersThatAreNone) {
+  const float none = std::numeric_limits<float>::quiet_NaN(),
+              endless = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(error_of(test::with_number(written(Time{}, k15), 1, none)).message(),
+            "offset 1000: svc_time: the time is nan");
+  const base::ByteVector damage = written(Damage{}, kFloats), angle = written(SetAngle{}, kFloats);
+  EXPECT_EQ(error_of(test::with_number(damage, 7, -endless), kFloats).message(),
+            "offset 1000: svc_damage: a coordinate is -inf");
+  EXPECT_EQ(error_of(test::with_number(damage, 11, 1e9f), kFloats).message(),
+            "offset 1000: svc_damage: a coordinate is 1000000000, beyond 134217728");
+  EXPECT_EQ(error_of(test::with_number(angle, 1, none), kFloats).message(),
+            "offset 1000: svc_setangle: an angle is nan");
+}
+
+TEST(BadMessage, TheRestOfItsBytesIsTakenForRead) {
+  MessageReader reader;
+  const base::ByteVector bad = bytes_of({1, 0, 1, 1}), good = bytes_of({1});
+  reader.begin(bad);
+  EXPECT_TRUE(reader.next().ok());
+  EXPECT_FALSE(reader.next().ok());
+  EXPECT_FALSE(reader.next().value().has_value());
+  reader.begin(good);
+  EXPECT_TRUE(reader.next().value().has_value());
+}
+
+TEST(BadMessage, ARefusedServerInfoLeavesTheDialect) {
+  MessageReader reader = reader_of(k666);
+  const base::ByteVector cut = bytes_of({11, 15, 0, 0, 0, 1, 0});
+  reader.begin(cut);
+  EXPECT_FALSE(reader.next().ok());
+  EXPECT_EQ(reader.dialect(), k666);
+}
+
+// The first k bytes of a message are never the message, and its length is told right: as far as the flags
+// that decide about it have come.
+TEST(BadMessage, EveryTruncationIsAnError) {
+  for (std::uint64_t seed = 0; seed < test::effort(2000, 300); ++seed) {
+    test::Random random(seed);
+    const Dialect dialect = std::array{k15, k666, kFloats}[random.below(3)];
+    const base::ByteVector bytes = written(test::random_message(random, dialect), dialect);
+    test::for_each_truncation(bytes, [&](const base::ByteVector& cut) {
+      if (cut.empty()) return;
+      const std::string message = error_of(cut, dialect).message();
+      unsigned long long have = 0, all = 0;
+      const std::size_t at = message.find("message ends");
+      if (at == std::string::npos) {
+        ASSERT_THAT(message, HasSubstr("has no end")) << "seed " << seed;
+        return;
+      }
+      ASSERT_EQ(std::sscanf(message.c_str() + at, "message ends after %llu of %llu bytes", &have, &all), 2)
+          << message;
+      ASSERT_EQ(have, cut.size()) << "seed " << seed << ": " << message;
+      ASSERT_GT(all, have) << "seed " << seed << ": " << message;
+      ASSERT_LE(all, bytes.size()) << "seed " << seed << ": " << message;
+    });
+  }
+}
+
+// Whatever comes, reading ends: after an error, or after no more messages than there are bytes. And what was
+// read can be written in its dialect.
+void read_all(base::Bytes bytes, MessageReader& io_reader) {
+  io_reader.begin(bytes);
+  for (std::size_t messages = 0;; ++messages) {
+    ASSERT_LE(messages, bytes.size());
+    const auto message = io_reader.next();
+    if (!message.ok() || !message->has_value()) return;
+    base::ByteWriter writer;
+    const base::Status status = write_message(**message, {Protocol::kRmq, kFloatCoord | kFloatAngle}, writer);
+    ASSERT_TRUE(status.ok()) << status.error().message();
+  }
+}
+
+TEST(BadMessage, RandomBytesAndFlippedBitsEndWell) {
+  MessageReader reader;
+  for (std::uint64_t seed = 0; seed < test::effort(20000, 2000); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::Random random(seed);
+    if (random.chance(0.3)) reader = reader_of(std::array{k15, k666, kFloats}[random.below(3)]);
+    const Dialect dialect = reader.dialect();
+    read_all(test::random_bytes(random, 1 + random.below(60)), reader);
+    base::ByteVector packet;
+    for (int i = 0; i < 5; ++i) {
+      const base::ByteVector message = written(test::random_message(random, dialect), dialect);
+      packet.insert(packet.end(), message.begin(), message.end());
+    }
+    read_all(test::with_flipped_bits(packet, random), reader);
+  }
+}
+
+void expect_unsayable(const ServerMessage& message, const Dialect& dialect, const char* what) {
+  base::ByteWriter writer;
+  writer.u8(1);
+  const base::Status status = write_message(message, dialect, writer);
+  ASSERT_FALSE(status.ok()) << what;
+  EXPECT_EQ(status.error().code, ErrorCode::kTooLarge);
+  EXPECT_EQ(status.error().message(), what);
+  EXPECT_EQ(writer.size(), 1u) << "something was appended: " << what;
+}
+
+TEST(UnsayableMessage, IsRefusedAndNothingIsAppended) {
+  expect_unsayable(EntityUpdate{.number = 1, .model = 256}, k15,
+                   "fast update: model 256 is over 255, the highest of protocol 15");
+  expect_unsayable(EntityUpdate{.number = 32000}, k666, "fast update: entity 32000 is over 31999");
+  expect_unsayable(SpawnStatic{{.frame = 256}}, k15,
+                   "svc_spawnstatic: frame 256 is over 255, the highest of protocol 15");
+  expect_unsayable(ClientData{.cells = 256}, k15,
+                   "svc_clientdata: cells 256 is over 255, the highest of protocol 15");
+  expect_unsayable(Sound{.entity = 8192}, k15,
+                   "svc_sound: a sound of entity 8192, channel 0, is over entity 8191, channel 7");
+  expect_unsayable(Sound{.sound = 256}, k15, "svc_sound: sound 256 is over 255, the highest of protocol 15");
+  expect_unsayable(StopSound{1, 8}, k666,
+                   "svc_stopsound: a sound of entity 1, channel 8, is over entity 8191, channel 7");
+  expect_unsayable(SpawnStaticSound{.sound = 256}, k15,
+                   "svc_spawnstaticsound: sound 256 is over 255, the highest of protocol 15");
+  expect_unsayable(Particles{.count = 255}, k15,
+                   "svc_particle: 255 particles are more than 254, and not 1024");
+  expect_unsayable(Damage{0, 0, {4096, 0, 0}}, k666,
+                   "svc_damage: coordinate 4096 is outside of [-4096, 4095.875]");
+  expect_unsayable(SetAngle{{std::numeric_limits<float>::infinity(), 0, 0}}, k15,
+                   "svc_setangle: angle inf is not finite");
+  expect_unsayable(Time{std::numeric_limits<float>::quiet_NaN()}, k15, "svc_time: time nan is not finite");
+  expect_unsayable(Print{std::string_view("a\0b", 3)}, k15,
+                   "svc_print: a text of a message holds a zero byte");
+  const std::vector<std::string_view> names(kMaxSounds + 1, "s"), empty = {""};
+  expect_unsayable(ServerInfo{.sounds = names}, k15,
+                   "svc_serverinfo: the list of sounds has 2049 names, more than 2048");
+  expect_unsayable(ServerInfo{.models = empty}, k15,
+                   "svc_serverinfo: the list of models has an empty name, which would end it");
+}
+
+}  // namespace
+}  // namespace temblor::net

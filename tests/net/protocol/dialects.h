@@ -1,0 +1,37 @@
+// Single messages as bytes, and readers that know what dialect they are in.
+#pragma once
+
+#include <initializer_list>
+#include <utility>
+
+#include "base/check.h"
+#include "net/protocol/message_reader.h"
+#include "net/protocol/message_writer.h"
+
+namespace temblor::test {
+
+inline constexpr net::Dialect k15{};
+
+inline base::ByteVector bytes_of(std::initializer_list<int> numbers) {
+  base::ByteVector bytes;
+  for (const int number : numbers) bytes.push_back(static_cast<std::byte>(number));
+  return bytes;
+}
+
+// CHECKs that the dialect can say it.
+inline base::ByteVector written(const net::ServerMessage& message, const net::Dialect& dialect) {
+  base::ByteWriter writer;
+  CHECK(write_message(message, dialect, writer).ok());
+  return std::move(writer).take();
+}
+
+// A reader that a game of this dialect has begun on.
+inline net::MessageReader reader_of(const net::Dialect& dialect) {
+  net::MessageReader reader;
+  const base::ByteVector begin = written(net::ServerInfo{.dialect = dialect}, dialect);
+  reader.begin(begin);
+  CHECK(reader.next().ok());
+  return reader;
+}
+
+}  // namespace temblor::test

@@ -1,0 +1,483 @@
+// A server's end, spoken to in bytes worked out by hand, as a stock client would and as nobody should.
+#include "net/transport/server_endpoint.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "net/transport/endpoint_bench.h"
+#include "support/effort.h"
+#include "support/mutations.h"
+
+namespace temblor::net {
+namespace {
+
+using test::BadNetwork;
+using test::host;
+using test::kServer;
+using test::ServerOnBench;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using namespace std::string_literals;
+
+const std::string kConnect = "\x80\0\0\x0c\x01QUAKE\0\x03"s;
+const std::string kAccept = "\x80\0\0\x09\x81\x90\x65\0\0"s;  // port 26000
+const std::string kProbe = "\0\x09\0\x09\0\0\0\0\x01"s;       // one byte that does nothing
+const std::string kAck = "\0\x02\0\x08\0\0\0\0"s;
+const std::string kInfo = "\x80\0\0\x0c\x02QUAKE\0\x03"s;
+
+// Somebody with a socket and no idea.
+struct Stranger {
+  Stranger(BadNetwork& network, const platform::Address& address) : socket(network.open(address)) {}
+
+  void send(std::string_view bytes) { socket->send(kServer, base::as_bytes(bytes)); }
+  std::vector<std::string> received() {
+    std::vector<std::string> all;
+    while (const auto datagram = socket->receive()) all.emplace_back(base::as_text(datagram->bytes));
+    return all;
+  }
+  std::unique_ptr<platform::DatagramSocket> socket;
+};
+
+std::string unreliable(int sequence, std::string_view content) {
+  return "\0\x10\0"s + static_cast<char>(8 + content.size()) + "\0\0"s + static_cast<char>(sequence >> 8) +
+         static_cast<char>(sequence) + std::string(content);
+}
+std::string reliable(int sequence, std::string_view content) {
+  std::string packet = unreliable(sequence, content);
+  packet[1] = '\x09';
+  return packet;
+}
+
+struct Bench {
+  explicit Bench(const ServerEndpointSettings& settings = {}) : server(network, settings) {}
+  void tick(double seconds = 0) {
+    now_s += seconds;
+    network.advance_to(now_s);
+    server.tick(now_s);
+  }
+  void connect(Stranger& stranger) {
+    stranger.send(kConnect);
+    tick();
+    stranger.send(kAck);
+    tick();
+    stranger.received();
+  }
+
+  BadNetwork network{{}, 1};
+  ServerOnBench server;
+  double now_s = 100;
+};
+
+TEST(ServerEndpoint, TheHandshakeOfAStockClient) {
+  Bench bench;
+  Stranger client(bench.network, host(2, 5000));
+  client.send(kConnect + "\x01\x22"s);  // bytes of another engine are passed over...
+  bench.tick();
+  EXPECT_THAT(client.received(), IsEmpty());  // ...but not past the length that the header names
+  client.send(kConnect);
+  bench.tick();
+  EXPECT_THAT(client.received(), ElementsAre(kAccept, kProbe));
+  EXPECT_THAT(bench.server.taken(), IsEmpty());
+  client.send(kAck);
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("+1"));
+  EXPECT_EQ(bench.server.endpoint.address_of(ConnectionId{1}), host(2, 5000));
+  client.send(unreliable(0, "\x02"));
+  client.send(reliable(0, "\x04hi\0"s));
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("1U:\x02"s, "1R:\x04hi\0"s));
+  EXPECT_THAT(client.received(), ElementsAre(kAck));
+  EXPECT_TRUE(bench.server.send(1, "hello"));
+  EXPECT_THAT(client.received(), ElementsAre("\0\x09\0\x0d\0\0\0\x01hello"s));
+}
+
+TEST(ServerEndpoint, DataIsASignOfLifeToo) {
+  Bench bench;
+  Stranger client(bench.network, host(2, 5000));
+  client.send(kConnect);
+  bench.tick();
+  client.send(unreliable(0, "x"));
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("+1", "1U:x"));
+}
+
+TEST(ServerEndpoint, ProQuakesRequestIsLonger) {
+  Bench bench;
+  Stranger client(bench.network, host(2, 5000));
+  client.send("\x80\0\0\x10\x01QUAKE\0\x03\x01\x22\0\0"s);
+  bench.tick();
+  EXPECT_THAT(client.received(), ElementsAre(kAccept, kProbe));
+}
+
+TEST(ServerEndpoint, ARepeatedRequestGetsTheSameAnswer) {
+  Bench bench;
+  Stranger client(bench.network, host(2, 5000));
+  for (int i = 0; i < 3; ++i) client.send(kConnect);
+  bench.tick();
+  EXPECT_THAT(client.received(), ElementsAre(kAccept, kProbe, kAccept, kAccept));
+  client.send(kAck);
+  client.send(kConnect);  // late, within two seconds
+  bench.tick();
+  EXPECT_THAT(client.received(), ElementsAre(kAccept));
+  EXPECT_THAT(bench.server.taken(), ElementsAre("+1"));
+  EXPECT_EQ(bench.server.endpoint.connections(), 1u);
+}
+
+TEST(ServerEndpoint, APeerIsHostAndPort) {
+  Bench bench;
+  Stranger first(bench.network, host(2, 5000)), second(bench.network, host(2, 5001));
+  bench.connect(first);
+  bench.connect(second);
+  EXPECT_THAT(bench.server.taken(), ElementsAre("+1", "+2"));
+  first.send(unreliable(0, "a"));
+  second.send(unreliable(0, "b"));
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("1U:a", "2U:b"));
+}
+
+TEST(ServerEndpoint, AClientThatComesBackFromTheSamePort) {
+  Bench bench;
+  Stranger client(bench.network, host(2, 5000));
+  bench.connect(client);
+  bench.tick(1.9);
+  client.send(unreliable(0, "a"));
+  bench.tick(1);
+  bench.server.taken();
+  // While it goes on with its connection, a request in its name is somebody else's.
+  client.send(kConnect);
+  bench.tick();
+  EXPECT_THAT(client.received(), IsEmpty());
+  bench.tick(3);
+  client.send(kConnect);
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("-1 connects anew"));
+  EXPECT_THAT(client.received(), ElementsAre(HasSubstr("connects anew"), kAccept, kProbe));
+  client.send(kAck);
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("+2"));
+}
+
+TEST(ServerEndpoint, TheAnnouncedPortOfATranslation) {
+  Bench bench({.announced_port = 1000});
+  Stranger client(bench.network, host(2, 5000));
+  client.send(kConnect);
+  bench.tick();
+  EXPECT_THAT(client.received(), ElementsAre("\x80\0\0\x09\x81\xe8\x03\0\0"s, kProbe));
+}
+
+TEST(ServerEndpoint, AnHalfOpenConnectionIsForgotten) {
+  Bench bench;
+  Stranger client(bench.network, host(2, 5000));
+  client.send(kConnect);
+  bench.tick();
+  for (int i = 0; i < 100; ++i) bench.tick(0.5);
+  // The answer, and the byte a second for as long as a client may take.
+  EXPECT_LE(client.received().size(), 12u);
+  client.send(kAck);
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), IsEmpty());
+  EXPECT_EQ(bench.server.endpoint.connections(), 0u);
+}
+
+TEST(ServerEndpoint, WhoMustSayAWordIsNotHeardBefore) {
+  Bench bench({.challenge = true, .secret = {1, 2}});
+  Stranger client(bench.network, host(2, 5000));
+  client.send(kConnect);
+  bench.tick();
+  client.received();
+  client.send(kAck);
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), IsEmpty());
+  const auto asked = client.received();
+  ASSERT_EQ(asked.size(), 1u);
+  // svc_stufftext "cmd WORD".
+  ASSERT_THAT(asked[0], ::testing::StartsWith("\0\x09\0\x19\0\0\0\x01\x09"
+                                              "cmd "s));
+  const std::string word = asked[0].substr(13, 10);
+  // Guessed acknowledgements and other words open nothing.
+  client.send("\0\x02\0\x08\0\0\0\x01"s);
+  client.send(reliable(0,
+                       "\x04"
+                       "0123456789\0"s));
+  client.send(reliable(1, "\x04prespawn\0"s));
+  client.send(reliable(2, "\x07"));
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), IsEmpty());
+  client.send(reliable(3, "\x01\x04" + word + "\n\0\x04name x\0"s));
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("+1", "1R:\x01\x04name x\0"s));
+}
+
+TEST(ServerEndpoint, AFullServerAndAnOtherVersion) {
+  Bench bench({.max_connections = 1});
+  Stranger first(bench.network, host(2, 1)), second(bench.network, host(3, 1));
+  bench.connect(first);
+  second.send(kConnect);
+  bench.tick();
+  EXPECT_THAT(second.received(), ElementsAre("\x80\0\0\x16\x82Server is full.\n\0"s));
+  second.send("\x80\0\0\x0c\x01QUAKE\0\x04"s);
+  bench.tick();
+  EXPECT_THAT(second.received(), ElementsAre(HasSubstr("Incompatible version.")));
+}
+
+// Half-open ones hold no place: whoever is first to show life has it.
+TEST(ServerEndpoint, TheLastPlaceGoesToTheFirstAlive) {
+  Bench bench({.max_connections = 1});
+  Stranger first(bench.network, host(2, 1)), second(bench.network, host(3, 1));
+  first.send(kConnect);
+  second.send(kConnect);
+  bench.tick();
+  second.send(kAck);
+  first.send(kAck);
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("+1"));
+  EXPECT_EQ(bench.server.endpoint.address_of(ConnectionId{1}), host(3, 1));
+  EXPECT_THAT(first.received().back(), HasSubstr("Server is full."));
+}
+
+TEST(ServerEndpoint, DisconnectTellsThePeerAgainWhileItGoesOn) {
+  Bench bench;
+  Stranger client(bench.network, host(2, 1));
+  bench.connect(client);
+  bench.server.endpoint.disconnect(ConnectionId{1}, "kicked");
+  // svc_print, svc_disconnect.
+  EXPECT_THAT(client.received(), ElementsAre(unreliable(0, "\x08kicked\n\0\x02"s)));
+  EXPECT_FALSE(bench.server.send(1, "x"));
+  EXPECT_FALSE(bench.server.endpoint.can_send_reliable(ConnectionId{1}));
+  std::size_t told = 0;
+  for (int i = 0; i < 2000; ++i) {
+    client.send(unreliable(i, "x"));
+    bench.tick(0.01);
+    told += client.received().size();
+  }
+  EXPECT_GT(told, 5u);
+  EXPECT_LE(told, 21u);
+  bench.server.taken();
+  bench.connect(client);
+  EXPECT_THAT(bench.server.taken(), ElementsAre("+2"));
+}
+
+TEST(ServerEndpoint, TheSilentTimeOut) {
+  Bench bench({.timeout_s = 30});
+  Stranger silent(bench.network, host(2, 1)), lively(bench.network, host(3, 1));
+  bench.connect(silent);
+  bench.connect(lively);
+  bench.server.taken();
+  for (int i = 0; i < 35; ++i) {
+    lively.send(unreliable(i, ""));
+    bench.tick(1);
+  }
+  const auto lines = bench.server.taken();
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), "-1 timed out"), 1);
+  EXPECT_EQ(bench.server.endpoint.connections(), 1u);
+}
+
+TEST(ServerEndpoint, BansKeepOutAndThrowOut) {
+  Bench bench;
+  Stranger bad(bench.network, host(2, 1)), worse(bench.network, host(2, 2)),
+      good(bench.network, host(300, 1));
+  bench.connect(bad);
+  bench.connect(good);
+  bench.server.taken();
+  bench.server.endpoint.ban(*parse_prefix("10.0.0.0/24"));
+  bench.server.endpoint.ban(*parse_prefix("10.0.0.0/24"));
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("-1 banned"));
+  worse.send(kConnect);
+  bench.tick();
+  EXPECT_THAT(worse.received(), ElementsAre(HasSubstr("You are banned.")));
+  EXPECT_EQ(bench.server.endpoint.connections(), 1u);
+  EXPECT_TRUE(bench.server.endpoint.unban(*parse_prefix("10.0.0.0/24")));
+  EXPECT_FALSE(bench.server.endpoint.unban(*parse_prefix("10.0.0.0/24")));
+  bench.connect(worse);
+  EXPECT_THAT(bench.server.taken(), ElementsAre("+3"));
+}
+
+TEST(ServerEndpoint, QueriesAreAnswered) {
+  Bench bench;
+  Stranger asker(bench.network, host(2, 1));
+  asker.send(kInfo);
+  asker.send("\x80\0\0\x06\x03\0"s);
+  asker.send("\x80\0\0\x06\x03\x01"s);  // there is no second player
+  asker.send("\x80\0\0\x06\x04\0"s);
+  asker.send(
+      "\x80\0\0\x0f\x04"
+      "fraglimit\0"s);
+  asker.send(
+      "\x80\0\0\x0f\x04"
+      "timelimit\0"s);
+  asker.send(
+      "\x80\0\0\x08\x04"
+      "xx\0"s);
+  bench.tick();
+  EXPECT_THAT(asker.received(),
+              ElementsAre("\x80\0\0\x22\x83"
+                          "10.0.0.1:26000\0a host\0dm1\0\x01\x10\x03"s,
+                          "\x80\0\0\x1e\x84\0bob\0\x4d\0\0\0\xfe\xff\xff\xff\x3d\0\0\0private\0"s,
+                          "\x80\0\0\x12\x85"
+                          "fraglimit\0"
+                          "20\0"s,
+                          "\x80\0\0\x12\x85"
+                          "timelimit\0"
+                          "10\0"s,
+                          "\x80\0\0\x05\x85"s));
+}
+
+TEST(ServerEndpoint, RemoteCommands) {
+  Bench bench;
+  Stranger master(bench.network, host(2, 1));
+  const std::string say = "\x80\0\0\x13\x05secret\0status\0"s;
+  master.send(say);
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), IsEmpty());
+  bench.server.endpoint.set_remote_password("secret");
+  bench.tick(60);
+  master.send(say);
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("rcon status"));
+  EXPECT_THAT(master.received(), ElementsAre("\x80\0\0\x0a\x86"
+                                             "done\0"s));
+  for (int i = 0; i < 1000; ++i) master.send("\x80\0\0\x13\x05sEcret\0status\0"s);
+  master.send(say);  // lost among too many that are wrong
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), IsEmpty());
+  EXPECT_THAT(master.received(), IsEmpty());
+}
+
+TEST(ServerEndpoint, RepliesToRemoteCommandsComeInPieces) {
+  Bench bench;
+  Stranger master(bench.network, host(2, 1));
+  bench.server.endpoint.reply_to_remote_command({host(2, 1), 0, {}}, std::string(100000, 'x'));
+  std::size_t bytes = 0;
+  for (const std::string& packet : master.received()) bytes += packet.size() - 6;
+  EXPECT_EQ(bytes, ServerEndpoint::kMaxRemoteReplyBytes);
+}
+
+TEST(ServerEndpoint, TheLimitsOfTheProtocolFollow) {
+  Bench bench;
+  Stranger client(bench.network, host(2, 1));
+  bench.connect(client);
+  const base::ByteVector large(1400);
+  EXPECT_FALSE(bench.server.endpoint.send_unreliable(ConnectionId{1}, large).ok());
+  bench.server.endpoint.set_protocol(Protocol::kFitzQuake);
+  EXPECT_TRUE(bench.server.endpoint.send_unreliable(ConnectionId{1}, large).ok());
+  EXPECT_EQ(bench.server.endpoint.limits_to(ConnectionId{1}).reliable_bytes, 64000u);
+}
+
+TEST(HostileClient, AMessageWithoutEndEndsIt) {
+  Bench bench;
+  Stranger bad(bench.network, host(2, 1)), good(bench.network, host(3, 1));
+  bench.connect(bad);
+  bench.connect(good);
+  bench.server.taken();
+  for (int i = 0; i < 64; ++i) {
+    std::string packet = "\0\x01\x04\x08\0\0\0"s + static_cast<char>(i) + std::string(1024, 'a');
+    bad.send(packet);
+    bench.tick();
+  }
+  EXPECT_THAT(bench.server.taken(), ElementsAre("-1 a reliable message is longer than 8192 bytes"));
+  good.send(unreliable(0, "x"));
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("2U:x"));
+}
+
+TEST(HostileClient, AFloodFromOneIsDroppedAndOthersAreServed) {
+  Bench bench;
+  Stranger bad(bench.network, host(2, 1)), good(bench.network, host(3, 1));
+  bench.connect(bad);
+  bench.connect(good);
+  bench.server.taken();
+  std::size_t from_bad = 0, from_good = 0;
+  for (int tick = 0; tick < 72; ++tick) {
+    for (int i = 0; i < 200; ++i) bad.send(unreliable(tick * 200 + i, "x"));
+    good.send(unreliable(tick, "y"));
+    bench.tick(1 / 72.0);
+    for (const std::string& line : bench.server.taken()) ++(line == "2U:y" ? from_good : from_bad);
+  }
+  EXPECT_EQ(from_good, 72u);
+  const Rate rate = ServerEndpointSettings{}.packets_of_connection;
+  EXPECT_LE(static_cast<double>(from_bad), rate.burst + rate.per_second + 1);
+  EXPECT_GT(bench.server.endpoint.statistics().flooded, 10000u);
+}
+
+TEST(HostileClient, AThousandPortsThatAskForConnections) {
+  Bench bench;
+  Stranger player(bench.network, host(2, 1));
+  bench.connect(player);
+  bench.server.taken();
+  std::vector<std::unique_ptr<platform::DatagramSocket>> ports;
+  for (unsigned port = 1; port <= 1000; ++port) ports.push_back(bench.network.open(host(8, port)));
+  for (int tick = 0; tick < 720; ++tick) {
+    for (const auto& port : ports) port->send(kServer, base::as_bytes(kConnect));
+    player.send(unreliable(tick, "y"));
+    bench.tick(1 / 72.0);
+    ASSERT_THAT(bench.server.taken(), ElementsAre("1U:y")) << tick;
+  }
+  std::uint64_t sent = 0;
+  for (unsigned port = 1; port <= 1000; ++port) sent += bench.network.bytes_sent_to(host(8, port));
+  EXPECT_LT(sent, 720 * 1000 * kConnect.size() / 100);
+  // Another host still gets in.
+  Stranger late(bench.network, host(4, 1));
+  bench.connect(late);
+  EXPECT_THAT(bench.server.taken(), ElementsAre("+2"));
+}
+
+TEST(HostileClient, QuestionsInAVictimsNameBringItLittle) {
+  Bench bench;
+  const platform::Address victim = host(7, 1);
+  const auto forged = bench.network.open(victim);
+  for (int tick = 0; tick < 7200; ++tick) {
+    for (int i = 0; i < 20; ++i) forged->send(kServer, base::as_bytes(i % 2 ? kInfo : kConnect));
+    bench.tick(1 / 72.0);
+  }
+  const std::uint64_t asked = 7200 * 20 * kInfo.size();
+  EXPECT_LT(bench.network.bytes_sent_to(victim), asked / 10);
+  EXPECT_GT(bench.server.endpoint.statistics().unanswered, 100000u);
+}
+
+// Nothing but the answers to queries is larger than what it answers.
+TEST(HostileClient, AStrangerGetsNothingLargerThanItsQuestion) {
+  Bench bench;
+  Stranger stranger(bench.network, host(2, 1));
+  stranger.send(kConnect);
+  for (int i = 0; i < 100; ++i) bench.tick(0.2);
+  for (const std::string& packet : stranger.received()) EXPECT_LE(packet.size(), kConnect.size());
+  for (std::size_t size = 1; size < 2000; size += 7) stranger.send(std::string(size, '\0'));
+  stranger.send(reliable(0, "x"));
+  bench.tick();
+  EXPECT_THAT(stranger.received(), IsEmpty());
+}
+
+TEST(HostileClient, RandomAndDamagedPacketsHurtNobodyElse) {
+  Bench bench;
+  Stranger good(bench.network, host(3, 1));
+  bench.connect(good);
+  std::vector<std::unique_ptr<Stranger>> others;
+  for (unsigned i = 0; i < 8; ++i) {
+    others.push_back(std::make_unique<Stranger>(bench.network, host(10 + i, 1)));
+    bench.connect(*others.back());
+  }
+  bench.server.taken();
+  test::Random random(5);
+  const std::string valid[] = {kConnect, kInfo, kAck, reliable(0, "x"), unreliable(1, "y")};
+  for (int tick = 0; tick < test::effort(5000, 500); ++tick) {
+    for (auto& other : others) {
+      const base::ByteVector bytes =
+          random.chance(0.7)
+              ? test::with_flipped_bits(base::as_bytes(valid[random.below(std::size(valid))]), random)
+              : test::random_bytes(random, random.below(1500));
+      other->send(base::as_text(bytes));
+    }
+    good.send(unreliable(tick, "!"));
+    bench.tick(1 / 72.0);
+    const auto lines = bench.server.taken();
+    ASSERT_EQ(std::count(lines.begin(), lines.end(), "1U:!"), 1) << tick;
+  }
+  EXPECT_LE(bench.server.endpoint.connections(), 16u);
+}
+
+}  // namespace
+}  // namespace temblor::net

@@ -1,0 +1,38 @@
+// The color of a point on a face, from the definition: its texel from the texture's axes, its light from the
+// light map. Mip level 0 only.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "formats/images/palette.h"
+#include "math/vec.h"
+#include "world/animation.h"
+#include "world/level.h"
+
+namespace temblor::oracle {
+
+// s, t of a point in the model's space, in texels of mip 0.
+math::Vec2d texture_position(const world::Level& level, const world::Face& face,
+                             const math::Vec3d& point_model);
+
+// A texel of the texture plane, which the texture tiles without end.
+struct TexelPosition {
+  std::int64_t s = 0, t = 0;
+};
+std::uint8_t texel_at(const world::Texture& texture, TexelPosition position);
+
+// Red, green and blue light of a texel in 8.8 fixed point, as real numbers; all three alike for gray light. A
+// sample of the light map gives sample x style value (256: as stored) summed over the face's styles, 255 x
+// 256 at most. Between the samples, which lie 16 texels apart and the first of them at the face's
+// texture_mins, light is linear in s and in t; outside of them it is that of the border. A face without
+// samples is black: those that are drawn full-bright are of another FaceKind.
+using Light = std::array<double, 3>;
+enum class LightColor { kGray, kRgb };
+Light light_at(const world::Level& level, const world::Face& face, const world::LightStyleValues& styles,
+               TexelPosition position, LightColor color);
+
+// Row of the colormap for gray light: darker rows have larger numbers.
+int colormap_row(double light);
+
+}  // namespace temblor::oracle

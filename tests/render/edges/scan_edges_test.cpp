@@ -1,0 +1,607 @@
+// The edge list and its scan against a slow definition: a pixel shows, of all polygons that the ray through
+// its center hits, the one with the smallest key. And however the rows are cut into bands, the spans are the
+// same.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "render/edges/edge_table.h"
+#include "render/edges/span_table.h"
+#include "support/effort.h"
+#include "support/random.h"
+
+namespace temblor::test {
+namespace {
+
+using math::Vec2d;
+using math::Vec3d;
+using render::EdgeTable;
+using render::SurfaceIndex;
+using render::ViewFrame;
+
+// One span, and what of it the scan says.
+struct Span {
+  int y, x, count;
+  std::uint32_t item;
+  auto operator<=>(const Span&) const = default;
+};
+
+// Scanned with everything that a scan needs of its own; in the order of the screen.
+std::vector<Span> scan(const EdgeTable& table, const render::Scene& scene, const ViewFrame& view,
+                       int band_rows, int threads = 1) {
+  base::Arena arena;
+  std::vector<base::Arena> band_arenas;
+  base::Jobs jobs(threads, base::JobBackend::kStdThread);
+  const render::SpanTable spans = render::scan_edges(table, scene, view, band_rows, jobs, arena, band_arenas);
+  std::vector<Span> all;
+  int next_row = 0;
+  for (const render::Band& band : spans.bands) {
+    EXPECT_EQ(band.first_row, next_row);
+    next_row += band.row_count;
+    EXPECT_TRUE(std::is_sorted(band.items.begin(), band.items.end()));
+    for (std::size_t position = 0; position < band.items.size(); ++position) {
+      render::PixelSum sum;
+      for (std::uint32_t i = band.run_begin[position]; i < band.run_begin[position + 1]; ++i) {
+        const render::SpanRun& run = band.runs[i];
+        EXPECT_TRUE(run.y >= band.first_row && run.y < next_row);
+        all.push_back({run.y, run.x, run.count, band.items[position]});
+        for (std::uint64_t pixel = 0; pixel < run.count; ++pixel) {
+          ++sum.pixels;
+          sum.x += run.x + pixel;
+          sum.y += run.y;
+        }
+      }
+      EXPECT_EQ(band.sums[position].pixels, sum.pixels);
+      EXPECT_EQ(band.sums[position].x, sum.x);
+      EXPECT_EQ(band.sums[position].y, sum.y);
+    }
+  }
+  EXPECT_EQ(next_row, view.height);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+// The item of every pixel, row by row. Fails when spans leave a gap, overlap, or are empty.
+std::vector<std::uint32_t> pixels_of(const std::vector<Span>& spans, const ViewFrame& view) {
+  std::vector<std::uint32_t> pixels;
+  for (const Span& span : spans) {
+    EXPECT_GT(span.count, 0);
+    EXPECT_EQ(static_cast<std::size_t>(span.y) * static_cast<std::size_t>(view.width) +
+                  static_cast<std::size_t>(span.x),
+              pixels.size());
+    pixels.insert(pixels.end(), static_cast<std::size_t>(span.count), span.item);
+  }
+  EXPECT_EQ(pixels.size(), static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
+  return pixels;
+}
+
+void expect_same_in_any_bands(const EdgeTable& table, const render::Scene& scene, const ViewFrame& view) {
+  const std::vector<Span> whole = scan(table, scene, view, view.height);
+  for (const int band_rows : {1, 2, 7, 64})
+    ASSERT_EQ(scan(table, scene, view, band_rows), whole) << "bands of " << band_rows;
+  ASSERT_EQ(scan(table, scene, view, 3, 2), whole) << "on two threads";
+}
+
+// ---- Tables made by hand: polygons on the screen, each with edges of its own.
+
+struct ScreenPolygon {
+  std::vector<Vec2d> corners;  // convex, in order
+  render::SortKey key;
+  render::ScreenPlane depth;  // decides among equal keys
+};
+
+ScreenPolygon any_polygon(const ViewFrame& view, Random& random) {
+  ScreenPolygon polygon;
+  // Corners on an ellipse: convex. Often partly beside the screen, or larger than it.
+  const Vec2d middle(random.uniform(-0.5, 1.5) * view.width, random.uniform(-0.5, 1.5) * view.height);
+  const Vec2d radius(random.log_uniform(0.5, 2.0 * view.width), random.log_uniform(0.5, 2.0 * view.height));
+  std::vector<double> turns;
+  for (std::size_t i = 3 + random.below(6); i > 0; --i) turns.push_back(random.uniform(0, 6.283));
+  std::sort(turns.begin(), turns.end());
+  const double tilt = random.uniform(-1, 1);
+  for (const double turn : turns) {
+    const double y = middle.y + radius.y * std::sin(turn);
+    polygon.corners.push_back({middle.x + radius.x * std::cos(turn) + tilt * (y - middle.y), y});
+  }
+  return polygon;
+}
+
+// What an edge table is from the definition of Edge: the rows whose centers lie between its ends, and where
+// it crosses them. Edges right of the screen stay in.
+class HandMadeTable {
+ public:
+  HandMadeTable(const ViewFrame& view, const std::vector<ScreenPolygon>& polygons) : view_(view) {
+    add_surface(std::numeric_limits<render::SortKey>::max());
+    pieces_.push_back({});
+    for (const ScreenPolygon& polygon : polygons) add(polygon);
+    row_begin_.assign(static_cast<std::size_t>(view.height) + 1, 0);
+    for (int row = 0; row < view.height; ++row) {
+      row_begin_[static_cast<std::size_t>(row)] = static_cast<std::uint32_t>(order_.size());
+      for (std::uint32_t i = 0; i < edges_.size(); ++i)
+        if (edges_[i].first_row == row) order_.push_back(i);
+    }
+    row_begin_.back() = static_cast<std::uint32_t>(order_.size());
+  }
+  EdgeTable view() const {
+    return {edges_, order_, row_begin_, surfaces_, pieces_, {}, static_cast<std::uint32_t>(surfaces_.size())};
+  }
+
+ private:
+  void add(const ScreenPolygon& polygon) {
+    const auto surface = base::to_index<SurfaceIndex>(surfaces_.size());
+    add_surface(polygon.key);
+    pieces_.push_back({polygon.depth});
+    const Vec2d middle = middle_of(polygon.corners);
+    for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
+      const Vec2d &a = polygon.corners[i], &b = polygon.corners[(i + 1) % polygon.corners.size()];
+      const Vec2d &top = a.y < b.y ? a : b, &bottom = a.y < b.y ? b : a;
+      render::Edge edge{};
+      edge.first_row = static_cast<std::int32_t>(std::max(0.0, std::ceil(top.y)));
+      edge.last_row = static_cast<std::int32_t>(std::min(view_.height - 1.0, std::ceil(bottom.y) - 1));
+      if (edge.first_row > edge.last_row) continue;
+      edge.step = (bottom.x - top.x) / (bottom.y - top.y);
+      edge.x_first = top.x + (edge.first_row - top.y) * edge.step;
+      // The polygon lies right of an edge when its middle does.
+      (top.x + edge.step * (middle.y - top.y) < middle.x ? edge.leading : edge.trailing) = surface;
+      edges_.push_back(edge);
+    }
+  }
+  // Its number is also that of its item and of its piece.
+  void add_surface(render::SortKey key) {
+    const auto number = static_cast<std::uint32_t>(surfaces_.size());
+    surfaces_.push_back({key, 0, world::FaceIndex{0}, number, {}, number, 0});
+  }
+  static Vec2d middle_of(const std::vector<Vec2d>& corners) {
+    Vec2d sum(0.0);
+    for (const Vec2d& corner : corners) sum += corner;
+    return sum / static_cast<double>(corners.size());
+  }
+
+  const ViewFrame& view_;
+  std::vector<render::Edge> edges_;
+  std::vector<std::uint32_t> order_, row_begin_;
+  std::vector<render::ScreenSurface> surfaces_;
+  std::vector<render::Piece> pieces_;
+};
+
+// Whether a pixel's center lies in the polygon; nothing where that is a matter of rounding.
+std::optional<bool> holds(const ScreenPolygon& polygon, double x, double y) {
+  bool inside = true;
+  for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
+    const Vec2d &a = polygon.corners[i], &b = polygon.corners[(i + 1) % polygon.corners.size()];
+    const Vec2d along = b - a, to_pixel = Vec2d(x, y) - a;
+    const double side = along.x * to_pixel.y - along.y * to_pixel.x;
+    if (std::abs(side) < 1e-7 * (1 + glm::length(along))) return std::nullopt;
+    inside = inside && side > 0;
+  }
+  return inside;
+}
+
+struct HandMadeCase {
+  ViewFrame view;
+  std::vector<ScreenPolygon> polygons;
+
+  explicit HandMadeCase(Random& random) {
+    view.width = static_cast<int>(1 + random.below(150));
+    view.height = static_cast<int>(1 + random.below(100));
+    for (std::size_t i = random.below(random.chance(0.5) ? 5 : 60); i > 0; --i)
+      polygons.push_back(any_polygon(view, random));
+  }
+  // In front: the smallest key, and among equal ones the largest depth.
+  std::vector<std::optional<std::uint32_t>> expected() const {
+    std::vector<std::optional<std::uint32_t>> pixels;
+    for (int y = 0; y < view.height; ++y)
+      for (int x = 0; x < view.width; ++x) {
+        std::optional<std::uint32_t> shown = 0;
+        const ScreenPolygon* best = nullptr;
+        bool is_clear = true;
+        for (std::size_t i = 0; i < polygons.size(); ++i) {
+          const std::optional<bool> inside = holds(polygons[i], x, y);
+          is_clear = is_clear && inside;
+          if (!inside || !*inside) continue;
+          const bool nearer =
+              best == nullptr || polygons[i].key < best->key ||
+              (polygons[i].key == best->key && polygons[i].depth.at(x, y) > best->depth.at(x, y));
+          if (!nearer) continue;
+          best = &polygons[i];
+          shown = static_cast<std::uint32_t>(i + 1);
+        }
+        pixels.push_back(is_clear ? shown : std::nullopt);
+      }
+    return pixels;
+  }
+  void expect_as_defined() const {
+    const HandMadeTable table(view, polygons);
+    const std::vector<std::uint32_t> pixels = pixels_of(scan(table.view(), {}, view, view.height), view);
+    const auto wanted = expected();
+    ASSERT_EQ(pixels.size(), wanted.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      if (wanted[i]) {
+        ASSERT_EQ(pixels[i], *wanted[i])
+            << "pixel " << i % static_cast<std::size_t>(view.width) << ", "
+            << i / static_cast<std::size_t>(view.width) << " of " << view.width << "x" << view.height;
+      }
+    expect_same_in_any_bands(table.view(), {}, view);
+  }
+};
+
+TEST(ScanEdges, ShowsThePolygonWithTheSmallestKey) {
+  for (int seed = 0; seed < effort(150, 15); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    HandMadeCase hand_made(random);
+    // No two alike, in any order.
+    for (std::size_t i = 0; i < hand_made.polygons.size(); ++i)
+      hand_made.polygons[i].key = static_cast<render::SortKey>(random.below(1000) * 1000 + i);
+    hand_made.expect_as_defined();
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Planes that do not cross, some with one key: of these, the nearest is in front. Orthographic depths are
+// negative.
+TEST(ScanEdges, ShowsTheNearestOfEqualKeys) {
+  for (int seed = 0; seed < effort(150, 15); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    HandMadeCase hand_made(random);
+    const double sign = random.chance(0.3) ? -1 : 1;
+    const double dx = random.uniform(-0.4, 0.4) / hand_made.view.width;
+    const double dy = random.uniform(-0.4, 0.4) / hand_made.view.height;
+    std::vector<double> nearness;
+    for (std::size_t i = 0; i < hand_made.polygons.size(); ++i)
+      nearness.push_back(sign * std::pow(1.03, static_cast<double>(i) + 1));
+    for (std::size_t i = 0; i < hand_made.polygons.size(); ++i) {
+      std::swap(nearness[i], nearness[i + random.below(nearness.size() - i)]);
+      hand_made.polygons[i].key = static_cast<render::SortKey>(1 + random.below(3));
+      hand_made.polygons[i].depth = {nearness[i], nearness[i] * dx, nearness[i] * dy};
+    }
+    hand_made.expect_as_defined();
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Two walls that meet at a vertical line, one of them in front of it and one behind: where the second begins,
+// both are as near, and only their slopes tell them apart.
+TEST(ScanEdges, OrdersWallsThatTouchByTheirSlopes) {
+  ViewFrame view;
+  view.width = 64;
+  view.height = 8;
+  // From 20 on, one comes nearer and the other recedes; both reach to 50.
+  for (const bool nearer_first : {false, true}) {
+    std::vector<ScreenPolygon> walls(2);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double slope = (i == 0) == nearer_first ? 0.01 : -0.01;
+      walls[i] = {{{20.25, -5}, {50.5, -5}, {50.5, 20}, {20.25, 20}}, 1, {1 - slope * 20.25, slope, 0}};
+    }
+    const HandMadeTable table(view, walls);
+    const auto pixels = pixels_of(scan(table.view(), {}, view, view.height), view);
+    for (int y = 0; y < view.height; ++y)
+      for (int x = 0; x < view.width; ++x)
+        ASSERT_EQ(pixels[static_cast<std::size_t>(y * view.width + x)], x < 21 || x > 50 ? 0u
+                                                                        : nearer_first   ? 1u
+                                                                                         : 2u)
+            << x << ", " << y;
+  }
+}
+
+// Planes of one key that cross: which is in front where the second begins changes from row to row, though the
+// same edges cross all of them in the same order.
+TEST(ScanEdges, ComparesDepthsOnEveryRow) {
+  ViewFrame view;
+  view.width = 64;
+  view.height = 48;
+  for (const double dy : {-0.01, 0.01}) {
+    std::vector<ScreenPolygon> walls(2);
+    walls[0] = {{{10.5, -5}, {40.5, -5}, {40.5, 60}, {10.5, 60}}, 1, {1 - dy * 20.25, 0, dy}};
+    walls[1] = {{{20.5, -5}, {50.5, -5}, {50.5, 60}, {20.5, 60}}, 1, {1, 0, 0}};
+    const HandMadeTable table(view, walls);
+    const auto pixels = pixels_of(scan(table.view(), {}, view, view.height), view);
+    for (int y = 0; y < view.height; ++y) {
+      const bool first_in_front = dy * (y - 20.25) > 0;
+      for (int x = 0; x < view.width; ++x) {
+        const std::uint32_t overlap = first_in_front ? 1 : 2;
+        ASSERT_EQ(pixels[static_cast<std::size_t>(y * view.width + x)], x < 11 || x > 50 ? 0u
+                                                                        : x < 21         ? 1u
+                                                                        : x > 40         ? 2u
+                                                                                         : overlap)
+            << x << ", " << y;
+      }
+    }
+  }
+}
+
+// From row 20 on, two edges come in from the right, and the first polygon's two have ended: as many as
+// before.
+TEST(ScanEdges, TellsEdgesThatComeFromThoseThatEnd) {
+  Random random(0);
+  HandMadeCase hand_made(random);
+  hand_made.view.width = 64;
+  hand_made.view.height = 40;
+  hand_made.polygons = {
+      {{{10.5, -5}, {30.5, -5}, {30.5, 19.5}, {10.5, 19.5}}, 1, {}},
+      {{{161.5, -5}, {300, -5}, {300, 60}, {-98.5, 60}}, 3, {}},
+      {{{162.5, -5}, {300, -5}, {300, 60}, {-97.5, 60}}, 2, {}},
+  };
+  hand_made.expect_as_defined();
+}
+
+// A band of one row is scanned without a row above to learn from. Edges stand in few places, so that many
+// meet, and planes cross.
+TEST(ScanEdges, FindsOnEveryRowWhatItFindsWithoutTheRowAbove) {
+  for (int seed = 0; seed < effort(150, 15); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    HandMadeCase hand_made(random);
+    for (ScreenPolygon& polygon : hand_made.polygons) {
+      polygon.key = static_cast<render::SortKey>(1 + random.below(4));
+      polygon.depth = {random.uniform(0.5, 2), random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02)};
+      if (random.chance(0.5))
+        for (Vec2d& corner : polygon.corners) corner = Vec2d(std::round(corner.x / 8) * 8, corner.y);
+    }
+    const HandMadeTable table(hand_made.view, hand_made.polygons);
+    expect_same_in_any_bands(table.view(), {}, hand_made.view);
+    if (HasFatalFailure()) return;
+  }
+}
+
+// ---- Tables from emit_edges: triangles between a few points share their edges in every way there is.
+
+// The level's faces without its tree.
+EdgeTable emit(const world::Level& level, const ViewFrame& view, std::span<const render::VisibleFace> faces,
+               base::Arena& arena) {
+  render::Scene scene;
+  scene.level = &level;
+  render::VisibleFaces visible;
+  visible.faces = faces;
+  base::Jobs jobs(1);
+  std::vector<render::EdgeJobArenas> job_arenas;
+  return render::emit_edges(scene, view, visible, render::make_face_outlines(level), jobs, arena, job_arenas);
+}
+
+struct Triangle {
+  std::array<std::uint32_t, 3> vertices;
+  render::SortKey key;
+};
+
+// Points about the eye, and triangles between them that face it: in front, behind, across the near plane.
+struct SolidCase {
+  static constexpr std::uint32_t kNoTriangle = 0xffffffff;
+  world::Level level;
+  ViewFrame view;
+  std::vector<Triangle> triangles;
+  std::vector<render::VisibleFace> faces;
+
+  explicit SolidCase(Random& random) {
+    make_view(random);
+    make_vertices(random);
+    level.edges.push_back({});  // no surfedge can say edge 0 backwards: unused, as in files
+    for (std::size_t i = 1 + random.below(random.chance(0.5) ? 6 : 40); i > 0; --i) add_triangle(random);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      faces.push_back({base::to_index<world::FaceIndex>(i), triangles[i].key});
+      // A file may name a face twice. Behind itself it changes nothing.
+      if (random.chance(0.1)) faces.push_back({faces.back().face, triangles[i].key + 500});
+    }
+  }
+
+  // Twice the volume between the pixel's ray and the side from a to b, seen from the eye (in parallel, from
+  // the pixel): which side of it the ray passes on.
+  double passes(const Vec3d& a, const Vec3d& b, const Vec2d& at) const {
+    if (view.perspective) return glm::dot(Vec3d(at, 1), glm::cross(a, b));
+    const Vec3d from = a - Vec3d(at, 0), to = b - Vec3d(at, 0);
+    return from.x * to.y - from.y * to.x;
+  }
+  // Whether the pixel's ray hits the triangle beyond the near plane; nothing where that is a matter of
+  // rounding.
+  std::optional<bool> hits(const Triangle& triangle, int x, int y) const {
+    const Vec2d at((x - view.center_x) / view.pixels_per_unit, -(y - view.center_y) / view.pixels_per_unit);
+    std::array<Vec3d, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i)
+      corners[i] = view.to_view(Vec3d(level.vertices[triangle.vertices[i]]));
+    double least = 1e300, most = -1e300;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3d &a = corners[i], &b = corners[(i + 1) % 3];
+      const double side = passes(a, b, at) / (1 + glm::length(a) * glm::length(b));
+      if (std::abs(side) < 1e-9) return std::nullopt;
+      least = std::min(least, side);
+      most = std::max(most, side);
+    }
+    if (least < 0 && most > 0) return false;
+    const Vec3d normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double distance = glm::dot(normal, corners[0]);
+    const double z = view.perspective ? distance / glm::dot(normal, Vec3d(at, 1))
+                                      : (distance - normal.x * at.x - normal.y * at.y) / normal.z;
+    if (std::abs(z - view.near_z) < 1e-6) return std::nullopt;
+    return z > view.near_z;
+  }
+  std::optional<std::uint32_t> triangle_at(int x, int y) const {
+    std::optional<std::uint32_t> shown = kNoTriangle;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const std::optional<bool> hit = hits(triangles[i], x, y);
+      if (!hit) return std::nullopt;
+      if (*hit && (*shown == kNoTriangle || triangles[i].key < triangles[*shown].key))
+        shown = static_cast<std::uint32_t>(i);
+    }
+    return shown;
+  }
+
+ private:
+  void make_view(Random& random) {
+    view.width = static_cast<int>(1 + random.below(120));
+    view.height = static_cast<int>(1 + random.below(90));
+    view.perspective = random.chance(0.7);
+    view.eye_world = Vec3d(random.in_cube(100));
+    view.axes = math::basis_from_angles(random.in_cube(180));
+    view.center_x = view.width / 2.0 - 0.5;
+    view.center_y = view.height / 2.0 - 0.5;
+    view.pixels_per_unit = view.perspective ? random.log_uniform(0.2, 2) * view.width
+                                            : random.log_uniform(0.01, 0.3) * view.width;
+  }
+  void make_vertices(Random& random) {
+    const double size = random.log_uniform(1, 200), ahead = random.uniform(-0.5, 1.5) * size;
+    for (int i = 0; i < 14; ++i) {
+      const Vec3d middle = view.eye_world + view.axes.forward * ahead;
+      level.vertices.push_back(math::Vec3(middle + Vec3d(random.in_cube(size))));
+    }
+  }
+  void add_triangle(Random& random) {
+    std::array<std::uint32_t, 3> vertices;
+    for (std::uint32_t& vertex : vertices) vertex = static_cast<std::uint32_t>(random.below(14));
+    if (vertices[0] == vertices[1] || vertices[1] == vertices[2] || vertices[2] == vertices[0]) return;
+    const Vec3d a(level.vertices[vertices[0]]), b(level.vertices[vertices[1]]),
+        c(level.vertices[vertices[2]]);
+    // Clockwise seen from its front: (c - a) x (b - a) points to where it looks.
+    const Vec3d normal = glm::cross(c - a, b - a);
+    const double towards_eye =
+        view.perspective ? glm::dot(normal, view.eye_world - a) : -glm::dot(normal, view.axes.forward);
+    if (std::abs(towards_eye) < 1e-3 * glm::length(normal)) return;
+    if (towards_eye < 0) std::swap(vertices[1], vertices[2]);
+
+    world::Face face{};
+    face.kind = world::FaceKind::kUnlit;
+    face.first_surfedge = static_cast<std::uint32_t>(level.surfedges.size());
+    face.surfedge_count = 3;
+    level.faces.push_back(face);
+    for (std::size_t i = 0; i < 3; ++i)
+      level.surfedges.push_back(surfedge(vertices[i], vertices[(i + 1) % 3]));
+    const auto key = static_cast<render::SortKey>(random.below(1000) * 1000 + triangles.size() + 1);
+    triangles.push_back({vertices, key});
+  }
+  // The edge between the two, made when there is none yet.
+  std::int32_t surfedge(std::uint32_t from, std::uint32_t to) {
+    if (const auto found = edge_of_.find({from, to}); found != edge_of_.end()) return found->second;
+    const auto number = static_cast<std::int32_t>(level.edges.size());
+    formats::BspEdge edge;
+    edge.vertices = {from, to};
+    level.edges.push_back(edge);
+    edge_of_[{from, to}] = number;
+    edge_of_[{to, from}] = -number;
+    return number;
+  }
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::int32_t> edge_of_;
+};
+
+TEST(EmittedEdges, ShowTheTriangleWithTheSmallestKey) {
+  int pixels_checked = 0, triangles_shown = 0;
+  for (int seed = 0; seed < effort(400, 30); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    const SolidCase solid(random);
+    base::Arena arena;
+    const EdgeTable table = emit(solid.level, solid.view, solid.faces, arena);
+    const auto pixels = pixels_of(scan(table, {}, solid.view, solid.view.height), solid.view);
+    ASSERT_FALSE(HasFailure());
+    // Items are surfaces: none of the faces has tiles.
+    for (int y = 0; y < solid.view.height; ++y)
+      for (int x = 0; x < solid.view.width; ++x) {
+        const std::optional<std::uint32_t> expected = solid.triangle_at(x, y);
+        if (!expected) continue;
+        const std::uint32_t item = pixels[static_cast<std::size_t>(y * solid.view.width + x)];
+        const std::uint32_t shown =
+            item == 0 ? SolidCase::kNoTriangle
+                      : static_cast<std::uint32_t>(base::to_size(table.surfaces[item].face));
+        ASSERT_EQ(shown, *expected) << fmt::format("pixel {}, {} of {}x{}, {} triangles", x, y,
+                                                   solid.view.width, solid.view.height,
+                                                   solid.triangles.size());
+        ++pixels_checked;
+        triangles_shown += item != 0;
+      }
+    expect_same_in_any_bands(table, {}, solid.view);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(triangles_shown, pixels_checked / 10);
+  EXPECT_LT(triangles_shown, pixels_checked / 10 * 9);
+}
+
+// ---- Tiles: a face of more than 256 texels shows, at each pixel, the tile that its texel lies in.
+
+struct TiledCase {
+  world::Level level;
+  render::Scene scene;
+  ViewFrame view;
+  base::Arena arena;
+  EdgeTable table;
+
+  explicit TiledCase(Random& random) {
+    const double texels_a_unit = random.log_uniform(0.5, 8);
+    level.planes.push_back({{0, 0, 1}, 0, 2});
+    level.texture_axes.push_back(
+        {{static_cast<float>(texels_a_unit), 0.25f, 0}, 0, {0, -static_cast<float>(texels_a_unit), 0}, 0});
+    level.vertices = {{-200, -200, 0}, {-200, 200, 0}, {200, 200, 0}, {200, -200, 0}};
+    level.edges = {{}, {{0, 1}}, {{1, 2}}, {{2, 3}}, {{3, 0}}};
+    level.surfedges = {1, 2, 3, 4};
+    world::Face face{};
+    face.kind = world::FaceKind::kLit;
+    face.light = 0;
+    face.surfedge_count = 4;
+    const auto reach = static_cast<std::int32_t>(std::ceil((200 * texels_a_unit + 50) / 16)) * 16;
+    face.texture_mins = {-reach, -reach};
+    face.texture_extents = {2 * reach, 2 * reach};
+    level.faces.push_back(face);
+    level.leaves.resize(1);
+    world::Model model{};
+    model.head = {-1};
+    level.models.push_back(model);
+    scene.level = &level;
+    scene.camera.origin_world = random.in_cube(150);
+    scene.camera.origin_world.z = static_cast<float>(random.log_uniform(0.5, 300));
+    scene.camera.angles_deg = math::Vec3(math::Vec3d(random.uniform(5, 90), random.uniform(0, 360), 0));
+    if (random.chance(0.4)) scene.camera.projection = render::Projection::kOrthographic;
+    scene.camera.units_per_pixel = static_cast<float>(random.log_uniform(0.2, 4));
+    view = render::make_view_frame(scene, 160, 100);
+    const render::VisibleFace visible{world::FaceIndex{0}, 1};
+    table = emit(level, view, {&visible, 1}, arena);
+  }
+  TiledCase(const TiledCase&) = delete;
+  TiledCase& operator=(const TiledCase&) = delete;
+
+  // Of the point on z = 0 that a pixel shows: its texels from the face's first one.
+  Vec2d texels_at(int x, int y) const {
+    const Vec3d aside =
+        (view.axes.right * (x - view.center_x) - view.axes.up * (y - view.center_y)) / view.pixels_per_unit;
+    const Vec3d origin = view.perspective ? view.eye_world : view.eye_world + aside;
+    const Vec3d ray = view.perspective ? view.axes.forward + aside : view.axes.forward;
+    const Vec3d point = origin - ray * (origin.z / ray.z);
+    const world::TextureAxes& axes = level.texture_axes[0];
+    const world::Face& face = level.faces[0];
+    return {glm::dot(point, Vec3d(axes.s_axis)) - face.texture_mins[0],
+            glm::dot(point, Vec3d(axes.t_axis)) - face.texture_mins[1]};
+  }
+};
+
+TEST(ScanEdges, CutsLargeFacesAtTheirTiles) {
+  int checked = 0;
+  for (int seed = 0; seed < effort(80, 6); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    const TiledCase tiled(random);
+    const auto pixels = pixels_of(scan(tiled.table, tiled.scene, tiled.view, tiled.view.height), tiled.view);
+    ASSERT_FALSE(HasFailure());
+    const render::TileGrid grid = render::tile_grid(tiled.level.faces[0]);
+    for (int y = 0; y < tiled.view.height; ++y)
+      for (int x = 0; x < tiled.view.width; ++x) {
+        const std::uint32_t item = pixels[static_cast<std::size_t>(y * tiled.view.width + x)];
+        if (item == 0) continue;
+        const Vec2d tile = tiled.texels_at(x, y) / 256.0;
+        const auto is_border = [](double at) { return std::abs(at - std::round(at)) < 1e-7; };
+        if (is_border(tile.x) || is_border(tile.y)) continue;
+        ASSERT_EQ(item - 1, static_cast<std::uint32_t>(std::floor(tile.y)) * grid.s +
+                                static_cast<std::uint32_t>(std::floor(tile.x)))
+            << x << ", " << y;
+        ++checked;
+      }
+    expect_same_in_any_bands(tiled.table, tiled.scene, tiled.view);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(checked, effort(80, 6) * 1000);
+}
+
+}  // namespace
+}  // namespace temblor::test

@@ -1,0 +1,32 @@
+// Vector kernels exist once for each instruction set, and the best one runs. Here every one has its turn.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace temblor::test {
+
+// While it lives, kernels run as this instruction set; after it, again as the best.
+class ForcedVectorTarget {
+ public:
+  explicit ForcedVectorTarget(std::int64_t target) { hwy::SetSupportedTargetsForTest(target); }
+  ~ForcedVectorTarget() { hwy::SetSupportedTargetsForTest(0); }
+  ForcedVectorTarget(const ForcedVectorTarget&) = delete;
+  ForcedVectorTarget& operator=(const ForcedVectorTarget&) = delete;
+};
+
+// Calls body() for each instruction set that was compiled and that this processor has.
+template <typename Body>
+void for_each_simd_target(Body body) {
+  const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+  for (const std::int64_t target : targets) {
+    const ForcedVectorTarget forced(target);
+    SCOPED_TRACE(hwy::TargetName(target));
+    body();
+  }
+}
+
+}  // namespace temblor::test

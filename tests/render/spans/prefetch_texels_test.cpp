@@ -1,0 +1,52 @@
+// A hint about memory has nothing to show, but it must come to an end on faces of any size and place: the
+// numbers that a hostile level's planes give are infinite, or none. (The tests' time limit and the sanitizers
+// are what fails here.)
+#include "render/spans/prefetch_texels.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "support/effort.h"
+#include "support/random.h"
+
+namespace temblor::test {
+namespace {
+
+using render::ScreenPlane;
+using render::SpanRun;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+ScreenPlane any_plane(Random& random) {
+  const auto any_number = [&] {
+    constexpr std::array kNumbers = {0.0,  -0.0, 1.0,   -1.0,      1e-320,     -1e-320,  1e-30,
+                                     1e30, 1e38, 1e300, kInfinity, -kInfinity, kNoNumber};
+    return kNumbers[random.below(kNumbers.size())];
+  };
+  const double at_origin = any_number(), dx = any_number(), dy = any_number();
+  return {at_origin, dx, dy};
+}
+
+TEST(PrefetchTexels, EndsWhateverThePlanesAre) {
+  constexpr int kWidth = 37, kHeight = 21;
+  std::vector<std::byte> texels(kWidth * kHeight * 4 + render::kBlockPadding);
+  const std::array<SpanRun, 3> runs = {SpanRun{0, 0, 1920}, SpanRun{5, 1, 1}, SpanRun{100, 500, 300}};
+  Random random(1);
+  for (int i = 0; i < effort(20000, 2000); ++i) {
+    render::SurfaceDraw item;
+    item.kind = render::ItemKind::kSurface;
+    item.depth = any_plane(random);
+    item.s = any_plane(random);
+    item.t = any_plane(random);
+    item.block = {texels.data(), {kWidth, kHeight}};
+    render::prefetch_texels(item, runs, random.chance(0.7), random.chance(0.5) ? 1 : 4);
+  }
+}
+
+}  // namespace
+}  // namespace temblor::test

@@ -1,0 +1,321 @@
+// Spans of lit surfaces: the vector kernels against their plain twins, bit for bit and on every instruction
+// set; the plain ones against the definition, a texel at floor(s / depth), floor(t / depth).
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "render/kernel_cases.h"
+#include "render/simd_targets.h"
+#include "support/effort.h"
+
+namespace temblor::test {
+namespace {
+
+using render::KernelDivide;
+using render::KernelTarget;
+using render::SpanRun;
+using render::SurfaceRuns;
+
+constexpr KernelDivide kDivides[] = {KernelDivide::kEveryPixel, KernelDivide::kEvery16, KernelDivide::kNone};
+constexpr int kAffinePixels = 16;
+
+template <typename Texel>
+struct Kernels;
+template <>
+struct Kernels<std::uint8_t> {
+  static constexpr auto plain = render::draw_surface_runs_u8_scalar;
+  static constexpr auto vector = render::draw_surface_runs_u8_simd;
+};
+template <>
+struct Kernels<std::uint32_t> {
+  static constexpr auto plain = render::draw_surface_runs_u32_scalar;
+  static constexpr auto vector = render::draw_surface_runs_u32_simd;
+};
+template <typename Texel>
+void draw_plain(const SurfaceRuns& job, Canvas<Texel>& io_canvas, bool with_depth = true) {
+  Kernels<Texel>::plain(job, io_canvas.target(with_depth));
+}
+template <typename Texel>
+void draw_vector(const SurfaceRuns& job, Canvas<Texel>& io_canvas, bool with_depth = true) {
+  Kernels<Texel>::vector(job, io_canvas.target(with_depth));
+}
+
+enum class Walks {
+  kAnywhere,  // also far past the texture, past the horizon, and along texels' borders
+  kOrdinary,  // where the definition says which texel it is, but for a few pixels
+};
+
+// A texture's size and the spans drawn from it; texels are the caller's.
+struct SurfaceCase {
+  int width, height;
+  std::vector<SpanRun> runs;
+  SurfaceRuns job{};
+
+  SurfaceCase(Random& random, KernelDivide divide, Walks walks) {
+    const auto size = [&] { return static_cast<int>(random.log_uniform(1, 257)); };
+    width = size();
+    height = size();
+    runs = random_runs(random);
+    const bool anywhere = walks == Walks::kAnywhere;
+    const CornerValues depth = random_depth(random, anywhere);
+    const auto coordinate = [&](int texels) {
+      const CornerValues corners = !anywhere             ? random_texels(random, texels, 1000)
+                                   : random.chance(0.2)  ? one_whole_texel(random, texels)
+                                   : random.chance(0.25) ? beside_an_end(random, texels)
+                                                         : random_texels(random, texels, 1e5);
+      return divide == KernelDivide::kNone ? plane_through(corners) : plane_over_z(corners, depth);
+    };
+    const render::KernelPlane s = coordinate(width), t = coordinate(height);
+    job = {plane_through(depth), s, t, divide, nullptr, 0, 0, 0, runs.data(), runs.size()};
+    set_size(width, height);
+  }
+  void set_size(int new_width, int new_height) {
+    width = job.texels_a_row = new_width;
+    height = new_height;
+    job.last_s = width - 1;
+    job.last_t = height - 1;
+  }
+  SurfaceCase(const SurfaceCase&) = delete;
+  SurfaceCase& operator=(const SurfaceCase&) = delete;
+};
+
+template <typename Texel>
+class SurfaceSpans : public testing::Test {};
+using Texels = testing::Types<std::uint8_t, std::uint32_t>;
+TYPED_TEST_SUITE(SurfaceSpans, Texels);
+
+TYPED_TEST(SurfaceSpans, VectorEqualsPlain) {
+  for_each_simd_target([] {
+    for (const KernelDivide divide : kDivides)
+      for (int seed = 0; seed < effort(10000, 60); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        SurfaceCase surface(random, divide, Walks::kAnywhere);
+        const std::vector<TypeParam> texels = make_noise<TypeParam>(surface.width, surface.height, random);
+        surface.job.texels = texels.data();
+        const bool with_depth = random.chance(0.8);
+        Canvas<TypeParam> plain, vector;
+        draw_plain(surface.job, plain, with_depth);
+        draw_vector(surface.job, vector, with_depth);
+        ASSERT_TRUE(plain == vector) << fmt::format("seed {}, divide {}, texture {}x{}", seed,
+                                                    static_cast<int>(divide), surface.width, surface.height);
+      }
+  });
+}
+
+// A wall that leads away from right before the eye, and all along it close to an end of the texture: nowhere
+// is rounding worse, and what it carries past the end must still show the last texel.
+TYPED_TEST(SurfaceSpans, VectorEqualsPlainAlongTheTexturesEnds) {
+  constexpr std::uint16_t kWidth = 1920;
+  constexpr int kSize = 256;
+  constexpr SpanRun kRow{0, 0, kWidth};
+  Random random(1);
+  const std::vector<TypeParam> texels = make_noise<TypeParam>(kSize, kSize, random);
+  for_each_simd_target([&] {
+    std::vector<TypeParam> plain(kWidth), vector(kWidth);
+    for (int i = 0; i < effort(1500, 300); ++i) {
+      const double near = random.log_uniform(1, 16), far = random.log_uniform(1.0 / 8192, 1.0 / 512);
+      const bool recedes = random.chance(0.5);
+      const double depth = recedes ? near : far, depth_step = (recedes ? far - near : near - far) / kWidth;
+      const auto beside_end = [&] {
+        const double away = random.log_uniform(1e-3, 0.1), texel = random.chance(0.5) ? away : kSize - away;
+        return render::KernelPlane{texel * depth, texel * depth_step, 0};
+      };
+      const render::KernelPlane s = beside_end(), t = beside_end();
+      const SurfaceRuns job{{depth, depth_step, 0},
+                            s,
+                            t,
+                            KernelDivide::kEveryPixel,
+                            texels.data(),
+                            kSize,
+                            kSize - 1,
+                            kSize - 1,
+                            &kRow,
+                            1};
+      Kernels<TypeParam>::plain(job, {plain.data(), nullptr, kWidth});
+      Kernels<TypeParam>::vector(job, {vector.data(), nullptr, kWidth});
+      ASSERT_TRUE(plain == vector) << fmt::format("depth {}, step {}, s {}, t {}", depth, depth_step,
+                                                  s.at_origin / depth, t.at_origin / depth);
+    }
+  });
+}
+
+// Each number of pixels, from every alignment, with and without a neighbor that must stay as it is.
+TYPED_TEST(SurfaceSpans, VectorEqualsPlainForEveryLengthAndPlace) {
+  Random random(1);
+  const std::vector<TypeParam> texels = make_noise<TypeParam>(64, 64, random);
+  for_each_simd_target([&] {
+    for (const KernelDivide divide : kDivides)
+      for (int count = 1; count <= 300; count += count < 70 ? 1 : effort(7, 41))
+        for (int x = 0; x < 17; x += effort(1, 4)) {
+          SurfaceCase surface(random, divide, Walks::kOrdinary);
+          surface.job.texels = texels.data();
+          surface.set_size(64, 64);
+          const SpanRun run{static_cast<std::uint16_t>(x), 2, static_cast<std::uint16_t>(count)};
+          surface.job.runs = &run;
+          surface.job.run_count = 1;
+          Canvas<TypeParam> plain, vector;
+          draw_plain(surface.job, plain);
+          draw_vector(surface.job, vector);
+          ASSERT_TRUE(plain == vector) << count << " pixels from " << x;
+        }
+  });
+}
+
+TYPED_TEST(SurfaceSpans, TouchNoPixelBesideTheirRuns) {
+  for (const KernelDivide divide : kDivides)
+    for (int seed = 0; seed < effort(300, 30); ++seed) {
+      Random random(static_cast<std::uint64_t>(seed));
+      SurfaceCase surface(random, divide, Walks::kAnywhere);
+      // No texel looks like an untouched pixel.
+      const std::vector<TypeParam> texels =
+          make_texels<TypeParam>(surface.width, surface.height, [](int, int) { return 7; });
+      surface.job.texels = texels.data();
+      Canvas<TypeParam> drawn, expected;
+      draw_plain(surface.job, drawn);
+      for (const SpanRun& run : surface.runs)
+        for (int i = 0; i < run.count; ++i) {
+          const std::size_t pixel = Canvas<TypeParam>::position(run, i);
+          ASSERT_NE(drawn.depth[pixel], Canvas<TypeParam>::kUntouchedDepth);
+          expected.pixels[pixel] = 7;
+          expected.depth[pixel] = drawn.depth[pixel];
+        }
+      ASSERT_TRUE(drawn == expected) << "seed " << seed;
+    }
+}
+
+TYPED_TEST(SurfaceSpans, ShowTheSameWithoutDepth) {
+  for (const KernelDivide divide : kDivides)
+    for (int seed = 0; seed < effort(300, 30); ++seed) {
+      Random random(static_cast<std::uint64_t>(seed));
+      SurfaceCase surface(random, divide, Walks::kAnywhere);
+      const std::vector<TypeParam> texels = make_noise<TypeParam>(surface.width, surface.height, random);
+      surface.job.texels = texels.data();
+      Canvas<TypeParam> with, without;
+      draw_plain(surface.job, with, true);
+      draw_plain(surface.job, without, false);
+      ASSERT_EQ(with.pixels, without.pixels);
+      ASSERT_EQ(without.depth, Canvas<TypeParam>().depth);
+    }
+}
+
+// What a pixel's coordinate is by the definition of each divide.
+Coordinate defined_coordinate(const SurfaceRuns& job, const render::KernelPlane& plane, const SpanRun& run,
+                              int i) {
+  const auto exact = [&](int pixel) {
+    return quotient(RunValue(plane, run, pixel), RunValue(job.depth, run, pixel));
+  };
+  if (job.divide == KernelDivide::kEveryPixel) return exact(i);
+  if (job.divide == KernelDivide::kNone) {
+    const RunValue value(plane, run, i);
+    return {value.value, value.tolerance};
+  }
+  // Exact at the first and the last of every sixteen pixels, a straight line between.
+  const int first = i / kAffinePixels * kAffinePixels;
+  const int last = std::min(first + kAffinePixels, int{run.count}) - 1;
+  const Coordinate begin = exact(first), end = exact(last);
+  const double along = last == first ? 0 : static_cast<double>(i - first) / (last - first);
+  return {
+      begin.value + (end.value - begin.value) * along,
+      2 * (begin.tolerance + end.tolerance) + 8 * kRounding * (std::abs(begin.value) + std::abs(end.value))};
+}
+
+::testing::AssertionResult shows(int texel, const Coordinate& coordinate, int last) {
+  const double low = std::clamp<double>(std::floor(coordinate.value - coordinate.tolerance), 0, last);
+  const double high = std::clamp<double>(std::floor(coordinate.value + coordinate.tolerance), 0, last);
+  if (low <= texel && texel <= high) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << fmt::format("texel {} shown at {} +- {}, of 0..{}", texel,
+                                                      coordinate.value, coordinate.tolerance, last);
+}
+
+class SurfaceSpanDefinition : public testing::TestWithParam<KernelDivide> {};
+
+TEST_P(SurfaceSpanDefinition, IsTheTexelAtTheQuotient) {
+  int pixels = 0, clear = 0;
+  for (int seed = 0; seed < effort(500, 40); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    SurfaceCase surface(random, GetParam(), Walks::kOrdinary);
+    const std::vector<std::uint32_t> names =
+        make_texels<std::uint32_t>(surface.width, surface.height, texel_name);
+    surface.job.texels = names.data();
+    Canvas<std::uint32_t> drawn;
+    draw_plain(surface.job, drawn);
+    for (const SpanRun& run : surface.runs)
+      for (int i = 0; i < run.count; ++i) {
+        const std::uint32_t texel = drawn.pixels[drawn.position(run, i)];
+        const Coordinate s = defined_coordinate(surface.job, surface.job.s, run, i);
+        const Coordinate t = defined_coordinate(surface.job, surface.job.t, run, i);
+        ASSERT_TRUE(shows(static_cast<int>(texel & 0xffff), s, surface.job.last_s)) << "s of pixel " << i;
+        ASSERT_TRUE(shows(static_cast<int>(texel >> 16), t, surface.job.last_t)) << "t of pixel " << i;
+        ++pixels;
+        clear += s.is_clear() && t.is_clear();
+      }
+  }
+  EXPECT_GT(clear, pixels / 100 * 95) << "the tolerance must leave something to check";
+}
+
+TEST_P(SurfaceSpanDefinition, DepthIsThePlane) {
+  for (int seed = 0; seed < effort(500, 40); ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    SurfaceCase surface(random, GetParam(), Walks::kAnywhere);
+    const std::vector<std::uint8_t> texels = make_noise<std::uint8_t>(surface.width, surface.height, random);
+    surface.job.texels = texels.data();
+    Canvas<std::uint8_t> drawn;
+    draw_plain(surface.job, drawn);
+    for (const SpanRun& run : surface.runs)
+      for (int i = 0; i < run.count; ++i) {
+        const RunValue depth(surface.job.depth, run, i);
+        ASSERT_NEAR(static_cast<double>(drawn.depth[drawn.position(run, i)]), depth.value, depth.tolerance)
+            << "seed " << seed << " pixel " << i;
+      }
+  }
+}
+
+// Bytes come from the same texels as 32-bit colors do.
+TEST_P(SurfaceSpanDefinition, IsTheSameForBothFormats) {
+  for (int seed = 0; seed < effort(500, 40); ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    SurfaceCase surface(random, GetParam(), Walks::kAnywhere);
+    const std::vector<std::uint8_t> bytes = make_noise<std::uint8_t>(surface.width, surface.height, random);
+    std::vector<std::uint32_t> words(bytes.begin(), bytes.end());
+    Canvas<std::uint8_t> narrow;
+    Canvas<std::uint32_t> wide;
+    surface.job.texels = bytes.data();
+    draw_plain(surface.job, narrow);
+    surface.job.texels = words.data();
+    draw_plain(surface.job, wide);
+    for (const SpanRun& run : surface.runs)
+      for (int i = 0; i < run.count; ++i)
+        ASSERT_EQ(narrow.pixels[narrow.position(run, i)], wide.pixels[wide.position(run, i)]);
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<KernelDivide>& test) {
+  switch (test.param) {
+    case KernelDivide::kEveryPixel:
+      return "EveryPixel";
+    case KernelDivide::kEvery16:
+      return "Every16";
+    case KernelDivide::kNone:
+      return "None";
+  }
+  return "Unknown";
+}
+INSTANTIATE_TEST_SUITE_P(Divides, SurfaceSpanDefinition, testing::ValuesIn(kDivides), name_of);
+
+// Each has a place of its own in a kernel's table, so none of the tests above ran one of them twice.
+TEST(VectorTargets, AreAllDifferent) {
+  const std::uint8_t index = 0;
+  std::vector<std::size_t> places;
+  for_each_simd_target([&] {
+    Canvas<std::uint8_t> canvas;
+    const SurfaceRuns nothing{{1, 0, 0}, {}, {}, KernelDivide::kNone, &index, 1, 0, 0, nullptr, 0};
+    draw_vector(nothing, canvas);
+    places.push_back(hwy::GetChosenTarget().GetIndex());
+  });
+  std::sort(places.begin(), places.end());
+  EXPECT_FALSE(places.empty());
+  EXPECT_EQ(std::adjacent_find(places.begin(), places.end()), places.end());
+}
+
+}  // namespace
+}  // namespace temblor::test

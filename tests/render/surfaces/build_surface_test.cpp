@@ -1,0 +1,287 @@
+// Lit surfaces against their definition, texel by texel: the texel of the texture that lies there, lit from
+// the four samples around it by the arithmetic in render/surfaces/build_surface.h, written once more.
+#include "render/surfaces/build_surface.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <vector>
+
+#include "render/edges/edge_table.h"
+#include "support/effort.h"
+#include "support/levels/drawable_level.h"
+#include "support/random.h"
+
+namespace temblor::test {
+namespace {
+
+using render::BlockRequest;
+using render::PixelFormat;
+using render::SurfaceShape;
+
+constexpr int kTexelsASample = 16;
+
+std::int64_t wrapped(std::int64_t value, std::int64_t size) {
+  return (value % size + size) % size;
+}
+// Rounded down, whatever the sign.
+std::int64_t floor_shifted(std::int64_t value, int bits) {
+  const std::int64_t unit = std::int64_t{1} << bits;
+  return (value - wrapped(value, unit)) / unit;
+}
+std::int64_t surface_between(std::int64_t a, std::int64_t b, int i, int n) {
+  return a + floor_shifted((b - a) * i * (2048 * 16 / n) + 16384, 15);
+}
+
+// One texel of a face's surface, from what the level holds.
+class SurfaceDefinition {
+ public:
+  SurfaceDefinition(const DrawableLevel& drawable, const BlockRequest& request)
+      : drawable_(drawable),
+        level_(*drawable.level),
+        request_(request),
+        face_(level_.face(request.face)),
+        texels_a_sample_(kTexelsASample >> request.mip) {}
+
+  std::uint8_t indexed(int x, int y) const {
+    const std::int64_t t = lit(x, y, [&](std::int64_t column, std::int64_t row) {
+      return std::max<std::int64_t>(floor_shifted(65280 - light_sum(column, row, 0), 2), 64);
+    });
+    return drawable_.colormap.rows[static_cast<std::size_t>(floor_shifted(t, 8) * 256 + texel(x, y))];
+  }
+  std::uint32_t rgb(int x, int y) const {
+    const formats::Rgb entry = drawable_.palette[texel(x, y)];
+    const std::array<std::uint8_t, 3> color = {entry.r, entry.g, entry.b};
+    std::uint32_t shown = 0xff;
+    for (int channel = 0; channel < 3; ++channel) {
+      const std::uint8_t value = color[static_cast<std::size_t>(channel)];
+      const std::int64_t h = lit(x, y, [&](std::int64_t column, std::int64_t row) {
+        return std::min<std::int64_t>(light_sum(column, row, channel), 65280) / 2;
+      });
+      const std::int64_t lit_value = std::min<std::int64_t>(255, floor_shifted(2 * value * h + 16384, 15));
+      const bool full_bright = texel(x, y) >= 256 - drawable_.colormap.fullbrights;
+      shown = shown << 8 | (full_bright ? value : static_cast<std::uint32_t>(lit_value));
+    }
+    return shown;
+  }
+
+ private:
+  // At mip level k, the texel (s, t) of the face is texel (s >> k, t >> k) of that level, repeated.
+  std::uint8_t texel(int x, int y) const {
+    const world::Texture& texture = level_.texture(request_.contents.texture);
+    const std::int64_t width = std::max(1u, texture.width >> request_.mip);
+    const std::int64_t height = std::max(1u, texture.height >> request_.mip);
+    const std::int64_t left = face_.texture_mins[0] + request_.tile_s * 256;
+    const std::int64_t top = face_.texture_mins[1] + request_.tile_t * 256;
+    const std::int64_t s = wrapped(floor_shifted(left, request_.mip) + x, width);
+    const std::int64_t t = wrapped(floor_shifted(top, request_.mip) + y, height);
+    return texture.mips[static_cast<std::size_t>(request_.mip)][static_cast<std::size_t>(t * width + s)];
+  }
+
+  // The face's samples, of all its styles. Past the last one, what is there counts for nothing.
+  std::int64_t light_sum(std::int64_t column, std::int64_t row, int channel) const {
+    const std::int64_t width = face_.texture_extents[0] / 16 + 1, height = face_.texture_extents[1] / 16 + 1;
+    column += request_.tile_s * 16;
+    row += request_.tile_t * 16;
+    if (column >= width || row >= height) return 0;
+    std::int64_t sum = 0;
+    for (std::int64_t style = 0; style < face_.style_count; ++style) {
+      const std::int64_t sample = face_.light + style * width * height + row * width + column;
+      const std::uint8_t value = request_.contents.colored
+                                     ? level_.light_rgb[static_cast<std::size_t>(sample * 3 + channel)]
+                                     : level_.light[static_cast<std::size_t>(sample)];
+      sum += value * request_.contents.style_values[static_cast<std::size_t>(style)];
+    }
+    return sum;
+  }
+
+  // `of_sample` of the four samples around a texel, joined down the columns first and then along the row.
+  template <typename OfSample>
+  std::int64_t lit(int x, int y, OfSample of_sample) const {
+    const int n = texels_a_sample_;
+    const auto down = [&](std::int64_t column) {
+      return surface_between(of_sample(column, y / n), of_sample(column, y / n + 1), y % n, n);
+    };
+    return surface_between(down(x / n), down(x / n + 1), x % n, n);
+  }
+
+  const DrawableLevel& drawable_;
+  const world::Level& level_;
+  const BlockRequest& request_;
+  const world::Face& face_;
+  const int texels_a_sample_;
+};
+
+// A block in memory of exactly its size and padding.
+struct Block {
+  std::vector<std::byte> bytes;
+  SurfaceShape shape;
+
+  Block(SurfaceShape of_shape, std::size_t bytes_per_texel)
+      : bytes(of_shape.texels() * bytes_per_texel + render::kBlockPadding), shape(of_shape) {}
+  render::SurfaceBlock view() { return {bytes.data(), shape}; }
+  template <typename Texel>
+  Texel texel(int x, int y) const {
+    const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(shape.width);
+    Texel value;
+    std::memcpy(&value, bytes.data() + (at + static_cast<std::size_t>(x)) * sizeof(Texel), sizeof(Texel));
+    return value;
+  }
+};
+
+// Sanitizers watch whole surfaces being built; of the slow definition they take a slanted sample.
+constexpr int kTexelStep = effort(1, 7);
+
+void expect_as_defined(const DrawableLevel& drawable, BlockRequest request, PixelFormat format,
+                       bool vector_kernels, base::Arena& scratch) {
+  const bool indexed = format == PixelFormat::kIndexed;
+  const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
+  Block block(
+      render::surface_shape(drawable.level->face(request.face), request.tile_s, request.tile_t, request.mip),
+      indexed ? 1 : 4);
+  request.block = block.view();
+  render::build_surface(*drawable.level, tables, nullptr, request, format, vector_kernels, scratch);
+  const SurfaceDefinition definition(drawable, request);
+  for (int y = 0; y < block.shape.height; ++y)
+    for (int x = y % kTexelStep; x < block.shape.width; x += kTexelStep) {
+      if (indexed) {
+        ASSERT_EQ(int{block.texel<std::uint8_t>(x, y)}, int{definition.indexed(x, y)}) << x << ", " << y;
+      } else {
+        ASSERT_EQ(block.texel<std::uint32_t>(x, y), definition.rgb(x, y)) << x << ", " << y;
+      }
+    }
+}
+
+bool has_surface(const world::Face& face) {
+  return face.kind == world::FaceKind::kLit && face.light != world::kNoLight;
+}
+
+// Any tile of a face at any mip level, under any light: dark, as stored, and up to far beyond the brightest.
+BlockRequest any_request(const world::Level& level, world::FaceIndex index, Random& random) {
+  const world::Face& face = level.face(index);
+  const render::TileGrid tiles = render::tile_grid(face);
+  BlockRequest request{};
+  request.face = index;
+  request.tile_s = static_cast<std::uint16_t>(random.below(tiles.s));
+  request.tile_t = static_cast<std::uint16_t>(random.below(tiles.t));
+  request.mip = static_cast<int>(random.below(4));
+  request.contents.texture = face.texture;
+  request.contents.colored = !level.light_rgb.empty() && random.chance(0.7);
+  for (std::size_t style = 0; style < face.style_count; ++style)
+    request.contents.style_values[style] =
+        random.chance(0.3) ? 256 : static_cast<std::uint16_t>(random.below(random.chance(0.2) ? 4000 : 600));
+  return request;
+}
+
+void expect_all_as_defined(const DrawableLevel& drawable, Random& random, int rounds) {
+  base::Arena scratch;
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t number = 0; number < drawable.level->faces.size(); ++number) {
+      const auto index = base::to_index<world::FaceIndex>(number);
+      if (!has_surface(drawable.level->face(index))) continue;
+      const BlockRequest request = any_request(*drawable.level, index, random);
+      const PixelFormat format = random.chance(0.5) ? PixelFormat::kIndexed : PixelFormat::kRgb;
+      const bool vector_kernels = random.chance(0.7);
+      SCOPED_TRACE(fmt::format("{}, round {}, face {}, tile {}, {}, mip {}, {}{}", drawable.name, round,
+                               number, request.tile_s, request.tile_t, request.mip,
+                               format == PixelFormat::kIndexed ? "indexed" : "rgb",
+                               vector_kernels ? "" : ", plain"));
+      expect_as_defined(drawable, request, format, vector_kernels, scratch);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+}
+
+class SurfacesOfSmallLevel : public testing::TestWithParam<SmallLevelVariant> {};
+TEST_P(SurfacesOfSmallLevel, AreAsDefined) {
+  Random random(1);
+  expect_all_as_defined(small_level(GetParam().options, GetParam().name), random, effort(3, 1));
+}
+std::vector<SmallLevelVariant> lit_variants() {
+  std::vector<SmallLevelVariant> variants = small_level_variants();
+  std::erase_if(variants, [](const SmallLevelVariant& variant) { return !variant.options.light; });
+  return variants;
+}
+INSTANTIATE_TEST_SUITE_P(Variants, SurfacesOfSmallLevel, testing::ValuesIn(lit_variants()),
+                         [](const auto& test) { return test.param.name; });
+
+// One face of any extent, from nothing to several tiles, anywhere in a texture of any size, with samples and
+// colors of noise.
+DrawableLevel level_of_noise(Random& random) {
+  world::Level level;
+  world::Texture texture;
+  texture.width = static_cast<std::uint32_t>(random.log_uniform(1, 300));
+  texture.height = static_cast<std::uint32_t>(random.log_uniform(1, 300));
+  for (std::uint32_t mip = 0; mip < 4; ++mip)
+    for (std::uint32_t i = std::max(1u, texture.width >> mip) * std::max(1u, texture.height >> mip); i > 0;
+         --i)
+      texture.mips[mip].push_back(static_cast<std::uint8_t>(random.bits()));
+  level.textures.push_back(texture);
+  world::Face face{};
+  face.kind = world::FaceKind::kLit;
+  face.style_count = static_cast<std::uint8_t>(random.below(5));
+  face.light = static_cast<std::uint32_t>(random.below(20));
+  const auto sixteens = [&](std::size_t most) { return static_cast<std::int32_t>(16 * random.below(most)); };
+  face.texture_mins = {sixteens(100) - 800, sixteens(100) - 800};
+  face.texture_extents = {sixteens(random.chance(0.3) ? 40 : 5), sixteens(random.chance(0.3) ? 40 : 5)};
+  level.faces.push_back(face);
+  const std::size_t samples = face.light + std::size_t{face.style_count} *
+                                               static_cast<std::size_t>(face.light_width()) *
+                                               static_cast<std::size_t>(face.light_height());
+  for (std::size_t i = 0; i < samples; ++i) level.light.push_back(static_cast<std::uint8_t>(random.bits()));
+  if (random.chance(0.5))
+    for (std::size_t i = 0; i < samples * 3; ++i)
+      level.light_rgb.push_back(static_cast<std::uint8_t>(random.bits()));
+
+  DrawableLevel drawable{"noise", std::make_shared<const world::Level>(std::move(level)), {}, {}};
+  for (formats::Rgb& color : drawable.palette) {
+    color.r = static_cast<std::uint8_t>(random.bits());
+    color.g = static_cast<std::uint8_t>(random.bits());
+    color.b = static_cast<std::uint8_t>(random.bits());
+  }
+  for (std::uint8_t& entry : drawable.colormap.rows) entry = static_cast<std::uint8_t>(random.bits());
+  drawable.colormap.fullbrights = static_cast<int>(random.below(257));
+  return drawable;
+}
+
+TEST(Surfaces, OfNoiseAreAsDefined) {
+  for (int seed = 0; seed < effort(1000, 100); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    expect_all_as_defined(level_of_noise(random), random, 3);
+    if (HasFatalFailure()) return;
+  }
+}
+
+// At every mip level, the tiles of a face lie side by side: together they are as large as the face.
+TEST(SurfaceShapes, MakeUpTheFace) {
+  for (std::int32_t extent = 16; extent <= 1600; extent += 16)
+    for (int mip = 0; mip < 4; ++mip) {
+      world::Face face{};
+      face.kind = world::FaceKind::kLit;
+      face.texture_extents = {extent, 1616 - extent};
+      const render::TileGrid tiles = render::tile_grid(face);
+      std::int32_t width = 0, height = 0;
+      for (int tile = 0; tile < tiles.s; ++tile) {
+        const SurfaceShape shape = render::surface_shape(face, tile, 0, mip);
+        ASSERT_GE(shape.width, 1);
+        ASSERT_LE(shape.width, 256 >> mip);
+        width += shape.width;
+      }
+      for (int tile = 0; tile < tiles.t; ++tile) height += render::surface_shape(face, 0, tile, mip).height;
+      ASSERT_EQ(width, face.texture_extents[0] >> mip);
+      ASSERT_EQ(height, face.texture_extents[1] >> mip);
+    }
+}
+TEST(SurfaceShapes, HaveATexelWhereTheFaceHasNoExtent) {
+  for (int mip = 0; mip < 4; ++mip) {
+    const SurfaceShape shape = render::surface_shape(world::Face{}, 0, 0, mip);
+    EXPECT_EQ(shape.width, 1);
+    EXPECT_EQ(shape.height, 1);
+  }
+}
+
+}  // namespace
+}  // namespace temblor::test

@@ -1,0 +1,127 @@
+// The shipped levels, played from their start to their exit on every skill. TEMBLOR_PLAYER_SEEDS: how many
+// games of each (1); with more, pairs play on every skill, too.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "scripted_player/run.h"
+
+namespace temblor::test {
+namespace {
+
+using ::testing::IsEmpty;
+
+struct Game {
+  const char* map;
+  int skill;
+  std::uint32_t players;  // 0: alone
+};
+
+std::string name_of(const Game& game) {
+  return fmt::format("{}Skill{}{}", game.map, game.skill,
+                     game.players > 0 ? fmt::format("Of{}", game.players) : std::string());
+}
+
+std::uint64_t seeds() {
+  const char* text = std::getenv("TEMBLOR_PLAYER_SEEDS");
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : 1;
+}
+
+player::RunSetup setup_of(const Game& game, std::uint64_t seed) {
+  player::RunSetup setup;
+  setup.session.base_folder = TEMBLOR_SHIPPED_FOLDER;
+  setup.session.map = game.map;
+  setup.session.skill = game.skill;
+  setup.session.seed = seed;
+  setup.session.players = std::max(game.players, 1u);
+  setup.session.cooperative = game.players > 0;
+  setup.session.can_cheat = setup.has_god = true;
+  setup.limit_s = 900;
+  return setup;
+}
+
+class ShippedLevels : public ::testing::TestWithParam<Game> {
+ protected:
+  void SetUp() override {
+    const std::filesystem::path file =
+        std::filesystem::path(TEMBLOR_SHIPPED_FOLDER) / "id1/maps" / fmt::format("{}.bsp", GetParam().map);
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " has not been built";
+  }
+};
+
+// Whether its ways, doors, keys and exit work; who wins the fights is another matter (README.md).
+TEST_P(ShippedLevels, ArePlayedToTheirExit) {
+  for (std::uint64_t seed = 1; seed <= seeds(); ++seed) {
+    const player::RunReport report = player::play_level(setup_of(GetParam(), seed)).value();
+    EXPECT_TRUE(report.reached_exit) << "seed " << seed << "\n" << player::as_text(report);
+    EXPECT_THAT(report.deaths, IsEmpty()) << "seed " << seed << ": those who begin kill one another";
+    EXPECT_THAT(report.stuck_monsters, IsEmpty()) << "seed " << seed;
+    EXPECT_THAT(report.errors, IsEmpty()) << "seed " << seed;
+  }
+}
+
+TEST_P(ShippedLevels, GiveUpAllTheirSecrets) {
+  if (GetParam().players > 0 || GetParam().skill % 2 == 0) GTEST_SKIP() << "secrets are looked for twice";
+  player::RunSetup setup = setup_of(GetParam(), 1);
+  setup.visits_secrets = true;
+  const player::RunReport report = player::play_level(setup).value();
+  EXPECT_EQ(report.found_secrets, report.secrets) << player::as_text(report);
+}
+
+std::vector<Game> games() {
+  std::vector<Game> games;
+  for (const char* map : {"start", "t1", "t2", "t3"})
+    for (int skill = 0; skill < 4; ++skill) games.push_back({map, skill, 0});
+  for (const char* map : {"t1", "t2", "t3"})
+    for (int skill = 0; skill < 4; ++skill)
+      if (seeds() > 1 || skill % 2 == 1) games.push_back({map, skill, 2});
+  return games;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedLevels, ::testing::ValuesIn(games()),
+                         [](const auto& game) { return name_of(game.param); });
+
+bool is_built(const char* map) {
+  return std::filesystem::exists(std::filesystem::path(TEMBLOR_SHIPPED_FOLDER) / "id1/maps" /
+                                 fmt::format("{}.bsp", map));
+}
+
+TEST(ShippedStart, LeadsToEachLevel) {
+  if (!is_built("start")) GTEST_SKIP() << "start has not been built";
+  for (const char* map : {"t1", "t2", "t3", "gallery", "tdm1"}) {
+    player::RunSetup setup = setup_of({"start", 1, 0}, 1);
+    setup.exit_map = map;
+    const player::RunReport report = player::play_level(setup).value();
+    EXPECT_TRUE(report.reached_exit) << map << "\n" << player::as_text(report);
+    EXPECT_EQ(report.exit, map);
+  }
+}
+
+TEST(ShippedArenas, ArePlayedAgainstBots) {
+  for (const char* map : {"tdm1", "tdm2"}) {
+    if (!is_built(map)) GTEST_SKIP() << map << " has not been built";
+    player::RunSetup setup = setup_of({map, 1, 0}, 2);
+    setup.has_god = setup.session.can_cheat = false;
+    setup.session.bots = 7;
+    setup.limit_s = 60;
+    const player::RunReport report = player::play_level(setup).value();
+    EXPECT_GE(report.frags, 1) << map;
+    EXPECT_THAT(report.complaints, IsEmpty()) << map;
+    EXPECT_THAT(report.errors, IsEmpty()) << map;
+  }
+}
+
+TEST(ShippedGallery, IsSeenBayByBay) {
+  if (!is_built("gallery")) GTEST_SKIP() << "gallery has not been built";
+  player::RunSetup setup = setup_of({"gallery", 1, 0}, 1);
+  setup.visits_stops = true;
+  const player::RunReport report = player::play_level(setup).value();
+  EXPECT_TRUE(report.reached_exit) << player::as_text(report);
+  EXPECT_THAT(report.complaints, IsEmpty());
+  EXPECT_GT(report.kills, 0) << "the last bay's gratings are opened";
+}
+
+}  // namespace
+}  // namespace temblor::test

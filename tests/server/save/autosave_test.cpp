@@ -1,0 +1,82 @@
+#include "server/save/autosave.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "support/programs/temporary_folder.h"
+
+namespace temblor::test {
+namespace {
+
+using server::Autosave;
+
+constexpr double kEvery_s = 180;
+
+// At 10 times a second, from `from_s` to `to_s`: when it was due first; negative: it was not.
+double first_due_s(Autosave& io_autosave, const Autosave::Player& player, double from_s, double to_s) {
+  for (double now_s = from_s; now_s < to_s; now_s += 0.1) {
+    io_autosave.watch(player, now_s);
+    if (io_autosave.is_due(kEvery_s, now_s)) return now_s;
+  }
+  return -1;
+}
+
+TEST(Autosave, IsDueWhereALevelHasBegunAndEveryFewMinutesThen) {
+  Autosave autosave;
+  autosave.begin_level();
+  const Autosave::Player well{.health = 100};
+  const double first_s = first_due_s(autosave, well, 100, 1000);
+  EXPECT_NEAR(first_s, 105, 0.2);
+  autosave.note_save(first_s);
+  EXPECT_NEAR(first_due_s(autosave, well, first_s, 1000), first_s + kEvery_s, 0.2);
+  // What the player saves himself counts.
+  autosave.note_save(200);
+  EXPECT_NEAR(first_due_s(autosave, well, 200, 1000), 200 + kEvery_s, 0.2);
+}
+
+TEST(Autosave, WaitsUntilThePlayerIsSafe) {
+  Autosave autosave;
+  autosave.begin_level();
+  EXPECT_LT(first_due_s(autosave, {.health = 100, .stands = false}, 0, 20), 0) << "he falls";
+  autosave.watch({.health = 60}, 20);
+  EXPECT_NEAR(first_due_s(autosave, {.health = 60}, 20, 40), 23, 0.2) << "he was hit at 20";
+  // A health above the usual shrinks by itself.
+  autosave.begin_level();
+  for (int i = 0; i < 40; ++i) autosave.watch({.health = 150.0f - static_cast<float>(i)}, 100 + i * 0.1);
+  EXPECT_NEAR(first_due_s(autosave, {.health = 110}, 104, 120), 105, 0.2);
+}
+
+TEST(Autosave, AGameThatGoesOnIsSavedAfterTheUsualTime) {
+  Autosave autosave;
+  autosave.begin_level();
+  autosave.begin_loaded("quick");
+  EXPECT_NEAR(first_due_s(autosave, {.health = 100}, 0, 1000), kEvery_s, 0.2);
+}
+
+TEST(Autosave, ANewGameWritesOverTheOldestOfThree) {
+  const TemporaryFolder folder;
+  Autosave autosave;
+  const auto save = [&] {
+    const std::string name = autosave.choose_name(folder.path());
+    folder.write(name + ".sav", std::string_view("a game"));
+    return name;
+  };
+  EXPECT_EQ(save(), "autosave");
+  EXPECT_EQ(save(), "autosave") << "the same game";
+  for (const char* name : {"autosave2", "autosave3"}) {
+    autosave.begin_game();
+    EXPECT_EQ(save(), name);
+  }
+  const auto now = std::filesystem::file_time_type::clock::now();
+  int age_s = 0;
+  for (const char* name : {"autosave.sav", "autosave3.sav", "autosave2.sav"})
+    std::filesystem::last_write_time(folder.path() / name, now - std::chrono::seconds(++age_s));
+  autosave.begin_game();
+  EXPECT_EQ(save(), "autosave2");
+  autosave.begin_loaded("autosave3");
+  EXPECT_EQ(save(), "autosave3") << "goes on in the file that it came from";
+}
+
+}  // namespace
+}  // namespace temblor::test

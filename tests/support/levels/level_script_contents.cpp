@@ -1,0 +1,45 @@
+#include "support/levels/level_script_contents.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace temblor::test {
+
+std::int32_t plan_contents(std::span<const artgen::SmallLevelBox> boxes, const math::Vec3& point) {
+  std::int32_t contents = kPlanSolid;
+  for (const artgen::SmallLevelBox& box : boxes) {
+    bool inside = true;
+    for (int axis = 0; axis < 3; ++axis)
+      inside = inside && point[axis] > box.bounds.mins[axis] && point[axis] < box.bounds.maxs[axis];
+    if (inside) contents = box.contents;
+  }
+  return contents;
+}
+
+bool plan_stops_box(std::span<const artgen::SmallLevelBox> boxes, const math::Bounds& box) {
+  // The sides of the plan's boxes cut this one into parts; within a part nothing changes.
+  std::array<std::vector<float>, 3> cuts;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<float>& lines = cuts[static_cast<std::size_t>(axis)];
+    lines = {box.mins[axis], box.maxs[axis]};
+    for (const artgen::SmallLevelBox& other : boxes)
+      for (const float side : {other.bounds.mins[axis], other.bounds.maxs[axis]})
+        if (side > box.mins[axis] && side < box.maxs[axis]) lines.push_back(side);
+    std::sort(lines.begin(), lines.end());
+  }
+  for (std::size_t i = 0; i + 1 < cuts[0].size(); ++i) {
+    for (std::size_t j = 0; j + 1 < cuts[1].size(); ++j) {
+      for (std::size_t k = 0; k + 1 < cuts[2].size(); ++k) {
+        const math::Vec3 low(cuts[0][i], cuts[1][j], cuts[2][k]);
+        const math::Vec3 high(cuts[0][i + 1], cuts[1][j + 1], cuts[2][k + 1]);
+        if (low.x >= high.x || low.y >= high.y || low.z >= high.z) continue;
+        const std::int32_t contents = plan_contents(boxes, (low + high) / 2.0f);
+        if (contents == kPlanSolid || contents == kPlanSky) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace temblor::test
