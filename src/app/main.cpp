@@ -1,8 +1,6 @@
 // The program: reads the command line and runs one command.
 #include <fmt/ranges.h>
 
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <span>
 
@@ -42,21 +40,20 @@ struct Commands {
   PlayOptions play;
   ServeOptions serve;
   ArtOptions art;
-  CLI::App* render_command = nullptr;
-  CLI::App* bench_command = nullptr;
-  CLI::App* inspect_command = nullptr;
-  CLI::App* compile_command = nullptr;
-  CLI::App* play_command = nullptr;
-  CLI::App* serve_command = nullptr;
-  CLI::App* art_command = nullptr;
-  CLI::App* settings_command = nullptr;
+  Command* render_command = nullptr;
+  Command* bench_command = nullptr;
+  Command* inspect_command = nullptr;
+  Command* compile_command = nullptr;
+  Command* play_command = nullptr;
+  Command* serve_command = nullptr;
+  Command* art_command = nullptr;
+  Command* settings_command = nullptr;
 };
 
-void describe_command_line(CLI::App& program, Commands& io_commands) {
+void describe_command_line(Command& program, Commands& io_commands) {
   program.footer(kHelpFooter);
   program.set_version_flag("--version", TEMBLOR_VERSION);
-  program.require_subcommand(1);
-  program.fallthrough();  // --basedir and the like are understood after the command as well
+  program.require_subcommand();
   add_common_options(program, io_commands.common);
   io_commands.render_command = add_render_command(program, io_commands.render);
   io_commands.bench_command = add_bench_command(program, io_commands.bench);
@@ -94,33 +91,35 @@ std::string option_name(const std::string& word) {
   return word.substr(0, word.find('='));
 }
 
-// CLI11 wants the last word first.
-std::vector<std::string> words_for_parser(const CLI::App& program, std::span<const char* const> arguments) {
+std::vector<std::string> words_for_parser(const Command& program, std::span<const char* const> arguments) {
   std::vector<std::string> commands;
-  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
-    commands.push_back(command->get_name());
-  std::vector<std::string> words = from_legacy_arguments(arguments, commands);
-  std::reverse(words.begin(), words.end());
-  return words;
+  for (const Command& command : program.subcommands()) commands.push_back(command.name());
+  return from_legacy_arguments(arguments, commands);
 }
 
-std::vector<std::string> commands_with(const CLI::App& program, const std::string& option) {
+std::vector<std::string> commands_with(const Command& program, const std::string& option) {
   std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
-    if (command->get_option_no_throw(option) != nullptr) names.push_back(command->get_name());
+  for (const Command& command : program.subcommands())
+    if (command.has_option(option)) names.push_back(command.name());
   return names;
 }
 
+// The name of the command that was given; empty if there was none.
+std::string used_command(const Command& program) {
+  for (const Command& command : program.subcommands())
+    if (command.parsed()) return command.name();
+  return {};
+}
+
 // An option that stands where nobody takes it: whose it is, and where it belongs. Empty: there is none.
-std::string describe_misplaced_option(const CLI::App& program) {
-  const std::vector<std::string> unknown = program.remaining(true);
+std::string describe_misplaced_option(const Command& program) {
+  const std::vector<std::string> unknown = program.remaining_of_all_commands();
   const auto found = std::find_if(unknown.begin(), unknown.end(),
                                   [](const std::string& word) { return word.starts_with("--"); });
   if (found == unknown.end()) return {};
   const std::string option = option_name(*found);
   const std::vector<std::string> owners = commands_with(program, option);
-  const auto used_commands = program.get_subcommands();
-  const std::string used = used_commands.empty() ? "" : used_commands.front()->get_name();
+  const std::string used = used_command(program);
   if (owners.empty())
     return used.empty() ? fmt::format("there is no command or option \"{}\"", option)
                         : fmt::format("{} has no option {}", used, option);
@@ -134,33 +133,32 @@ std::string describe_misplaced_option(const CLI::App& program) {
 }
 
 // What is wrong with the command line, in our words where CLI11's would mislead.
-std::string describe_parse_error(const CLI::App& program, const CommonOptions& options,
-                                 const CLI::ParseError& error) {
+std::string describe_parse_error(const Command& program, const CommonOptions& options,
+                                 const Command::Parsed& parsed) {
   // A shell variable that is empty leaves --basedir without its folder, and the command is taken for it.
   const std::string& folder = options.folders.base_folder;
-  const auto is_folder = [&](const CLI::App* command) { return command->get_name() == folder; };
-  if (program.get_subcommands().empty() && !program.get_subcommands(is_folder).empty())
+  const auto is_folder = [&](const Command& command) { return command.name() == folder; };
+  const bool has_no_command = used_command(program).empty();
+  if (has_no_command && std::ranges::any_of(program.subcommands(), is_folder))
     return fmt::format("--basedir is followed by the command \"{}\" where the folder should be", folder);
   if (std::string misplaced = describe_misplaced_option(program); !misplaced.empty()) return misplaced;
   const std::vector<std::string> unknown = program.remaining();
-  if (program.get_subcommands().empty() && !unknown.empty())
+  if (has_no_command && !unknown.empty())
     return fmt::format("there is no command or option \"{}\"", unknown.front());
-  if (program.get_subcommands().empty() && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+  if (has_no_command && parsed.is_command_missing)
     return "a command is missing: `temblor play` begins the game";
-  return error.what();
+  return parsed.error;
 }
 
 int run_program(std::span<const char* const> arguments) {
-  CLI::App program("Temblor: draws and plays Quake-class levels without a GPU", "temblor");
+  Command program("Temblor: draws and plays Quake-class levels without a GPU", "temblor");
   Commands commands;
   describe_command_line(program, commands);
-  try {
-    program.parse(words_for_parser(program, arguments));
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
-      return program.exit(error);  // --help and --version, printed to standard output
+  const Command::Parsed parsed = program.parse(words_for_parser(program, arguments));
+  if (parsed.has_printed) return kExitSuccess;
+  if (!parsed.ok) {
     print_error(
-        base::Error{base::ErrorCode::kUsage, describe_parse_error(program, commands.common, error), {}});
+        base::Error{base::ErrorCode::kUsage, describe_parse_error(program, commands.common, parsed), {}});
     return kExitUsage;
   }
   const base::Status status = run(commands);

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
 
+#include "app/commands/command_line.h"
 #include "app/files/atomic_write.h"
 #include "artgen/art.h"
 #include "base/parallel_for.h"
@@ -52,8 +52,8 @@ base::Status write_art_file(const fs::path& folder, const artgen::ArtFile& file)
 
 }  // namespace
 
-CLI::App* add_art_command(CLI::App& program, ArtOptions& io_options) {
-  CLI::App* command = program.add_subcommand("art", "Makes art and sound of a game folder from scripts");
+Command* add_art_command(Command& program, ArtOptions& io_options) {
+  Command* command = program.add_subcommand("art", "Makes art and sound of a game folder from scripts");
   command
       ->add_option("SCRIPTS", io_options.scripts,
                    "Art scripts (.art), level scripts (.level), or folders that hold them")

@@ -6,18 +6,16 @@
 
 #include "base/result.h"
 
-namespace CLI {
-class App;
-}
-
 namespace temblor::app {
+
+class Command;
 
 struct ArtOptions {
   std::vector<std::filesystem::path> scripts;  // files, or folders of *.art and *.level files
   std::filesystem::path output;
 };
 
-CLI::App* add_art_command(CLI::App& program, ArtOptions& io_options);
+Command* add_art_command(Command& program, ArtOptions& io_options);
 
 // Files that are there with the same bytes are left as they are, their time, too.
 base::Status run_art(const ArtOptions& options);

@@ -43,8 +43,8 @@ MeasureOptions measure_options(const BenchOptions& options, const render::Settin
 
 }  // namespace
 
-CLI::App* add_bench_command(CLI::App& program, BenchOptions& io_options) {
-  CLI::App* command = program.add_subcommand("bench", "Measures how fast levels are drawn");
+Command* add_bench_command(Command& program, BenchOptions& io_options) {
+  Command* command = program.add_subcommand("bench", "Measures how fast levels are drawn");
   command->add_option("--map", io_options.maps, "Level to draw; may be repeated; else one made in code")
       ->type_name("NAME")
       ->allow_extra_args(false)
@@ -57,7 +57,7 @@ CLI::App* add_bench_command(CLI::App& program, BenchOptions& io_options) {
   add_frame_options(*command, io_options.frame);
   command->add_option("--step", io_options.step_deg, "Turn between two views of a circle")
       ->type_name("DEGREES")
-      ->check(CLI::Range(0.1, 360.0))
+      ->check(in_range(0.1, 360.0))
       ->capture_default_str();
   command
       ->add_option(
@@ -65,12 +65,12 @@ CLI::App* add_bench_command(CLI::App& program, BenchOptions& io_options) {
           "Draws a recording so often and takes each frame's quickest: what it costs where other work "
           "disturbs the machine")
       ->type_name("N")
-      ->check(CLI::Range(1, 100))
+      ->check(in_range(1, 100))
       ->capture_default_str();
   command->add_flag("--cold", io_options.cold, "Also times views whose surfaces are still to be built");
   command->add_flag("--relight", io_options.relight, "Also times views whose light changes");
-  CLI::Option* json = command->add_flag("--json", io_options.json,
-                                        "Prints one JSON object, or a list of them for several levels");
+  Option* json = command->add_flag("--json", io_options.json,
+                                   "Prints one JSON object, or a list of them for several levels");
   command
       ->add_flag("--report", io_options.report,
                  "Prints the table of docs/performance.md instead (takes minutes; sizes, threads and formats "

@@ -9,11 +9,9 @@
 #include "client/view/presentation.h"
 #include "render/renderer.h"
 
-namespace CLI {
-class App;
-}
-
 namespace temblor::app {
+
+class Command;
 
 struct BenchOptions {
   std::vector<std::string> maps;  // none, and no recordings: the level made in code
@@ -27,7 +25,7 @@ struct BenchOptions {
   bool report = false;
 };
 
-CLI::App* add_bench_command(CLI::App& program, BenchOptions& io_options);
+Command* add_bench_command(Command& program, BenchOptions& io_options);
 
 base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
                        const client::PresentationSettings& presentation, const render::Settings& settings);

@@ -2,12 +2,175 @@
 
 #include <fmt/format.h>
 
+#include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
 
 namespace temblor::app {
 
-void add_common_options(CLI::App& program, CommonOptions& io_options) {
+Condition in_range(int min, int max) {
+  return std::make_shared<CLI::Range>(min, max);
+}
+
+Condition in_range(double min, double max) {
+  return std::make_shared<CLI::Range>(min, max);
+}
+
+Condition one_of(std::vector<int> values) {
+  return std::make_shared<CLI::IsMember>(std::move(values));
+}
+
+Condition not_negative() {
+  return std::make_shared<CLI::Validator>(CLI::NonNegativeNumber);
+}
+
+Option* Option::type_name(const std::string& name) {
+  option_.type_name(name);
+  return this;
+}
+
+Option* Option::default_str(const std::string& text) {
+  option_.default_str(text);
+  return this;
+}
+
+Option* Option::capture_default_str() {
+  option_.capture_default_str();
+  return this;
+}
+
+Option* Option::required() {
+  option_.required();
+  return this;
+}
+
+Option* Option::check(const Condition& condition) {
+  option_.check(*condition);
+  return this;
+}
+
+Option* Option::check(std::string (*condition)(const std::string&)) {
+  option_.check(condition);
+  return this;
+}
+
+Option* Option::allow_extra_args(bool allow) {
+  option_.allow_extra_args(allow);
+  return this;
+}
+
+Option* Option::take_all() {
+  option_.take_all();
+  return this;
+}
+
+Option* Option::needs(const Option* other) {
+  option_.needs(&other->option_);
+  return this;
+}
+
+Option* Option::excludes(const Option* other) {
+  option_.excludes(&other->option_);
+  return this;
+}
+
+Option* Option::excludes(const std::string& other) {
+  option_.excludes(other);
+  return this;
+}
+
+Command::Command(const std::string& description, const std::string& name)
+    : program_(std::make_unique<CLI::App>(description, name)), app_(*program_) {}
+
+Command::Command(CLI::App& app) : app_(app) {}
+
+Command::~Command() = default;
+
+Command* Command::add_subcommand(const std::string& name, const std::string& description) {
+  return &commands_.emplace_back(*app_.add_subcommand(name, description));
+}
+
+template <typename T>
+Option* Command::add_option(const std::string& name, T& io_value, const std::string& help) {
+  return &options_.emplace_back(*app_.add_option(name, io_value, help));
+}
+template Option* Command::add_option(const std::string&, std::string&, const std::string&);
+template Option* Command::add_option(const std::string&, int&, const std::string&);
+template Option* Command::add_option(const std::string&, float&, const std::string&);
+template Option* Command::add_option(const std::string&, double&, const std::string&);
+template Option* Command::add_option(const std::string&, std::uint16_t&, const std::string&);
+template Option* Command::add_option(const std::string&, std::uint32_t&, const std::string&);
+template Option* Command::add_option(const std::string&, std::optional<int>&, const std::string&);
+template Option* Command::add_option(const std::string&, std::filesystem::path&, const std::string&);
+template Option* Command::add_option(const std::string&, std::vector<std::string>&, const std::string&);
+template Option* Command::add_option(const std::string&, std::vector<std::filesystem::path>&,
+                                     const std::string&);
+
+Option* Command::add_flag(const std::string& name, bool& io_value, const std::string& help) {
+  return &options_.emplace_back(*app_.add_flag(name, io_value, help));
+}
+
+Option* Command::add_text_option(const std::string& name, std::function<std::string(const std::string&)> read,
+                                 const std::string& help) {
+  const auto read_or_throw = [name, read = std::move(read)](const std::string& text) {
+    if (std::string error = read(text); !error.empty()) throw CLI::ValidationError(name, std::move(error));
+  };
+  return &options_.emplace_back(*app_.add_option_function<std::string>(name, read_or_throw, help));
+}
+
+void Command::footer(const std::string& text) {
+  app_.footer(text);
+}
+
+void Command::set_version_flag(const std::string& name, const std::string& version) {
+  app_.set_version_flag(name, version);
+}
+
+void Command::require_subcommand() {
+  app_.require_subcommand(1);
+  app_.fallthrough();
+}
+
+Command::Parsed Command::parse(std::vector<std::string> words) {
+  std::reverse(words.begin(), words.end());  // CLI11 takes the last word first
+  try {
+    app_.parse(std::move(words));
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      app_.exit(error);
+      return {.has_printed = true, .error = {}};
+    }
+    return {.is_command_missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr,
+            .error = error.what()};
+  }
+  return {.ok = true, .error = {}};
+}
+
+const std::string& Command::name() const {
+  return app_.get_name();
+}
+
+bool Command::has_option(const std::string& name) const {
+  return app_.get_option_no_throw(name) != nullptr;
+}
+
+bool Command::parsed() const {
+  return app_.parsed();
+}
+
+std::vector<std::string> Command::remaining() const {
+  return app_.remaining();
+}
+
+std::vector<std::string> Command::remaining_of_all_commands() const {
+  return app_.remaining(true);
+}
+
+void add_common_options(Command& program, CommonOptions& io_options) {
   program
       .add_option("--basedir", io_options.folders.base_folder,
                   "Folder that holds the game folders (id1, mods); the current one where it holds id1")
@@ -31,7 +194,7 @@ void add_common_options(CLI::App& program, CommonOptions& io_options) {
       ->type_name("KIND");
 }
 
-void add_frame_options(CLI::App& command, FrameOptions& io_options) {
+void add_frame_options(Command& command, FrameOptions& io_options) {
   add_parsed_option(command, "--size", io_options.size, parse_size, "Size of a frame in pixels")
       ->type_name("WxH")
       ->default_str(fmt::format("{}x{}", io_options.size.width, io_options.size.height));
@@ -43,11 +206,11 @@ void add_frame_options(CLI::App& command, FrameOptions& io_options) {
       .add_option("--fov", io_options.fov_deg,
                   "Horizontal field of view of a 4:3 picture in degrees; wider pictures see more")
       ->type_name("DEGREES")
-      ->check(CLI::Range(10.0, 170.0))
+      ->check(in_range(10.0, 170.0))
       ->capture_default_str();
   command.add_option("--threads", io_options.threads, "Threads that draw; 0: one for each core")
       ->type_name("N")
-      ->check(CLI::Range(0, 256));
+      ->check(in_range(0, 256));
 }
 
 }  // namespace temblor::app

@@ -30,14 +30,14 @@ Textures are looked for in --wad, then in what the map's "wad" key names. Withou
 Temblor's own game. Beside the level lies a .build file, with which the next run makes anew only what changed.)";
 
 // Which stages run, when, and in which process.
-void add_stage_options(CLI::App& command, CompileCommandOptions& io_options) {
+void add_stage_options(Command& command, CompileCommandOptions& io_options) {
   add_parsed_option(command, "--only", io_options.only, parse_compile_stage,
                     "One stage: bsp, vis or light; of the others stays what still fits")
       ->type_name("STAGE");
-  CLI::Option* const watch = command.add_flag("--watch", io_options.watch,
-                                              "Compiles again whenever the map or a texture file is saved");
-  CLI::Option* const shard = add_parsed_option(command, "--shard", io_options.shard, parse_shard,
-                                               "With --only vis or light: does part K of N, for --merge");
+  Option* const watch = command.add_flag("--watch", io_options.watch,
+                                         "Compiles again whenever the map or a texture file is saved");
+  Option* const shard = add_parsed_option(command, "--shard", io_options.shard, parse_shard,
+                                          "With --only vis or light: does part K of N, for --merge");
   shard->type_name("K/N")->excludes(watch);
   command.add_flag("--merge", io_options.merge, "With --only vis or light: joins what the shards made")
       ->excludes(watch)
@@ -110,8 +110,8 @@ base::Status run_and_watch(const CompileCommandOptions& options, CompileSession&
 
 }  // namespace
 
-CLI::App* add_compile_command(CLI::App& program, CompileCommandOptions& io_options) {
-  CLI::App* command = program.add_subcommand("compile", "Makes a level of an editor's .map");
+Command* add_compile_command(Command& program, CompileCommandOptions& io_options) {
+  Command* command = program.add_subcommand("compile", "Makes a level of an editor's .map");
   command
       ->add_option("map", io_options.source, "A .map file; or a .bsp, which gets visibility and light anew")
       ->type_name("MAP");
@@ -137,13 +137,13 @@ CLI::App* add_compile_command(CLI::App& program, CompileCommandOptions& io_optio
   command->add_flag("--bsp2", io_options.bsp2, "Writes BSP2 though the level fits the original's format");
   command->add_option("--extra", io_options.extra, "Samples of a shadow each way: 1, 2 or 4")
       ->type_name("N")
-      ->check(CLI::IsMember({1, 2, 4}));
+      ->check(one_of({1, 2, 4}));
   command->add_option("--bounce", io_options.bounces, "Bounces of light, whatever the map says")
       ->type_name("N")
-      ->check(CLI::Range(0, 16));
+      ->check(in_range(0, 16));
   command->add_option("--threads", io_options.threads, "Threads; 0: one for each core")
       ->type_name("N")
-      ->check(CLI::Range(0, 256));
+      ->check(in_range(0, 256));
   command->footer(kCompileHelpFooter);
   return command;
 }

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
+#include <nlohmann/json.hpp>
 
+#include "app/commands/command_line.h"
 #include "app/inspect/inspection.h"
 
 namespace temblor::app {
@@ -29,14 +30,14 @@ std::string dump(const Inspection& json) {
 
 }  // namespace
 
-CLI::App* add_inspect_command(CLI::App& program, InspectOptions& io_options) {
-  CLI::App* command = program.add_subcommand("inspect", "Says what a file holds, and what is wrong with it");
+Command* add_inspect_command(Command& program, InspectOptions& io_options) {
+  Command* command = program.add_subcommand("inspect", "Says what a file holds, and what is wrong with it");
   command->add_option("file", io_options.file, "File of any known format")->type_name("FILE")->required();
   command->add_flag("--json", io_options.json, "Prints one JSON object");
-  CLI::Option* const picture = command
-                                   ->add_option("--picture", io_options.sheet.out,
-                                                "Draws a model: its frames side by side, a row a view")
-                                   ->type_name("OUT.png");
+  Option* const picture = command
+                              ->add_option("--picture", io_options.sheet.out,
+                                           "Draws a model: its frames side by side, a row a view")
+                              ->type_name("OUT.png");
   command
       ->add_option("--frames", io_options.sheet.frames, "Which frames, by number or name; else eight of them")
       ->type_name("A,B,...")
@@ -47,16 +48,16 @@ CLI::App* add_inspect_command(CLI::App& program, InspectOptions& io_options) {
       ->needs(picture);
   command->add_option("--cell", io_options.sheet.cell_px, "Width and height of each picture")
       ->type_name("PIXELS")
-      ->check(CLI::Range(16, 1024))
+      ->check(in_range(16, 1024))
       ->capture_default_str()
       ->needs(picture);
   command->add_option("--skin", io_options.sheet.skin, "Number of the skin")
       ->type_name("N")
-      ->check(CLI::Range(0, 1000))
+      ->check(in_range(0, 1000))
       ->needs(picture);
   command->add_option("--light", io_options.sheet.light, "Light where it stands, as in a level")
       ->type_name("0-255")
-      ->check(CLI::Range(0, 255))
+      ->check(in_range(0, 255))
       ->capture_default_str()
       ->needs(picture);
   command->footer(kInspectHelpFooter);

@@ -6,11 +6,9 @@
 #include "app/inspect/model_sheet.h"
 #include "base/result.h"
 
-namespace CLI {
-class App;
-}
-
 namespace temblor::app {
+
+class Command;
 
 struct InspectOptions {
   std::string file;
@@ -18,7 +16,7 @@ struct InspectOptions {
   SheetOptions sheet;  // drawn where it has a name
 };
 
-CLI::App* add_inspect_command(CLI::App& program, InspectOptions& io_options);
+Command* add_inspect_command(Command& program, InspectOptions& io_options);
 
 // Prints the inspection; a file that its reader refuses is an error (and with --json, an object with the key
 // "error" as well).

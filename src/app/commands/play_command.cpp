@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <cstdio>
 #include <cstdlib>
 
@@ -83,8 +82,8 @@ base::Status apply_command_line(const PlayOptions& options, const CommonOptions&
 
 }  // namespace
 
-CLI::App* add_play_command(CLI::App& program, PlayOptions& io_options) {
-  CLI::App* command = program.add_subcommand("play", "The game, in a window");
+Command* add_play_command(Command& program, PlayOptions& io_options) {
+  Command* command = program.add_subcommand("play", "The game, in a window");
   command->add_option("--map", io_options.map, "Begins a game on this level")->type_name("NAME");
   command->add_option("--demo", io_options.demo, "Plays a recording")->type_name("NAME");
   command->add_option("--connect", io_options.connect, "Joins a game on another machine")
@@ -108,7 +107,7 @@ CLI::App* add_play_command(CLI::App& program, PlayOptions& io_options) {
   command->add_flag("--nosound", io_options.silent, "Opens no audio device");
   command->add_option("--duration", io_options.duration_s, "Ends by itself after so many seconds")
       ->type_name("SECONDS")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_negative());
   command->footer(kPlayHelpFooter);
   return command;
 }

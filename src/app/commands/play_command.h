@@ -9,11 +9,9 @@
 #include "base/result.h"
 #include "host/host_variables.h"
 
-namespace CLI {
-class App;
-}
-
 namespace temblor::app {
+
+class Command;
 
 struct PlayOptions {
   std::string map, demo, connect, program;
@@ -23,7 +21,7 @@ struct PlayOptions {
   double duration_s = 0;  // 0: until the player ends it
 };
 
-CLI::App* add_play_command(CLI::App& program, PlayOptions& io_options);
+Command* add_play_command(Command& program, PlayOptions& io_options);
 base::Status run_play(const PlayOptions& options, const CommonOptions& common,
                       const host::HostVariables& variables);
 

@@ -96,8 +96,8 @@ base::Status render_map(const RenderOptions& options, const GameFolders& folders
 
 }  // namespace
 
-CLI::App* add_render_command(CLI::App& program, RenderOptions& io_options) {
-  CLI::App* command = program.add_subcommand("render", "Draws pictures and films without a display");
+Command* add_render_command(Command& program, RenderOptions& io_options) {
+  Command* command = program.add_subcommand("render", "Draws pictures and films without a display");
   command
       ->add_option("--map", io_options.map, "Level to draw: its name, or a .bsp file; else one made in code")
       ->type_name("NAME");
@@ -117,13 +117,13 @@ CLI::App* add_render_command(CLI::App& program, RenderOptions& io_options) {
       ->default_str("perspective");
   command->add_option("--time", io_options.time_s, "Seconds into the level: light, liquids, sky, animation")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(in_range(0.0, 1e9));
   add_parsed_option(*command, "--frames", io_options.frame_range, parse_frame_range,
                     "Number of frames, or which: from A up to but not including B")
       ->type_name("N|A:B");
   command->add_option("--fps", io_options.frames_per_second, "Frames a second of film")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000))
+      ->check(in_range(1, 1000))
       ->capture_default_str();
   command->add_option("--turn", io_options.turn_deg, "Turn to the left from one picture to the next")
       ->type_name("DEGREES");

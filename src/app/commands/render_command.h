@@ -11,11 +11,9 @@
 #include "render/renderer.h"
 #include "render/scene.h"
 
-namespace CLI {
-class App;
-}
-
 namespace temblor::app {
+
+class Command;
 
 struct RenderOptions {
   std::string map;   // empty: the level made in code
@@ -33,7 +31,7 @@ struct RenderOptions {
   std::string out;
 };
 
-CLI::App* add_render_command(CLI::App& program, RenderOptions& io_options);
+Command* add_render_command(Command& program, RenderOptions& io_options);
 
 base::Status run_render(const RenderOptions& options, const GameFolders& folders,
                         const client::PresentationSettings& presentation, const render::Settings& settings);

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <cstdio>
 
 #include "app/bench/system.h"
+#include "app/commands/command_line.h"
 #include "app/files/atomic_write.h"
 #include "app/files/diagnostics.h"
 #include "app/files/file_watch.h"
@@ -117,8 +117,8 @@ void serve(server::Server& io_server, const ServeOptions& options) {
 
 }  // namespace
 
-CLI::App* add_serve_command(CLI::App& program, ServeOptions& io_options) {
-  CLI::App* command = program.add_subcommand("serve", "A dedicated server, its console on standard input");
+Command* add_serve_command(Command& program, ServeOptions& io_options) {
+  Command* command = program.add_subcommand("serve", "A dedicated server, its console on standard input");
   command->add_option("--map", io_options.map, "Level to begin with")->type_name("NAME")->required();
   command->add_option("--port", io_options.port, "UDP port, 0 to 65535; 0: any that is free")
       ->type_name("N")
@@ -130,7 +130,7 @@ CLI::App* add_serve_command(CLI::App& program, ServeOptions& io_options) {
       ->add_option("--maxclients", io_options.max_clients,
                    "Players at a time; stock clients refuse servers of more than 16")
       ->type_name("N")
-      ->check(CLI::Range(1, 255))
+      ->check(in_range(1, 255))
       ->capture_default_str();
   command
       ->add_option("--progs", io_options.program, "The game's code; without it the game folders' progs.dat")
@@ -142,7 +142,7 @@ CLI::App* add_serve_command(CLI::App& program, ServeOptions& io_options) {
       ->take_all();
   command->add_option("--duration", io_options.duration_s, "Ends by itself after so many seconds")
       ->type_name("SECONDS")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_negative());
   command->footer(kServeHelpFooter);
   return command;
 }

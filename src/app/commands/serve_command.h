@@ -10,11 +10,9 @@
 #include "command/variables.h"
 #include "server/server_variables.h"
 
-namespace CLI {
-class App;
-}
-
 namespace temblor::app {
+
+class Command;
 
 struct ServeOptions {
   std::string map;
@@ -26,7 +24,7 @@ struct ServeOptions {
   double duration_s = 0;             // ends by itself after that time; 0: never
 };
 
-CLI::App* add_serve_command(CLI::App& program, ServeOptions& io_options);
+Command* add_serve_command(Command& program, ServeOptions& io_options);
 
 // Until `quit`, Ctrl-C, SIGTERM or the terminal's end. `common`: its --set are taken once more after
 // server.cfg, so that the command line has the last word.

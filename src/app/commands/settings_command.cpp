@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
+#include "app/commands/command_line.h"
 
 namespace temblor::app {
 
-CLI::App* add_settings_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("settings", "Lists the console variables that --set takes");
+Command* add_settings_command(Command& program) {
+  Command* command = program.add_subcommand("settings", "Lists the console variables that --set takes");
   command->footer(
       "Examples:\n"
       "  temblor settings\n"

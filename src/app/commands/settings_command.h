@@ -3,13 +3,11 @@
 
 #include "command/variables.h"
 
-namespace CLI {
-class App;
-}
-
 namespace temblor::app {
 
-CLI::App* add_settings_command(CLI::App& program);
+class Command;
+
+Command* add_settings_command(Command& program);
 void run_settings(const command::Variables& variables);
 
 }  // namespace temblor::app

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/common.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
 #include "app/inspect/inspection.h"
 #include "formats/images/palette.h"

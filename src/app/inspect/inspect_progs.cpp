@@ -1,6 +1,7 @@
 // Compiled QuakeC: what it has, and its statements in words.
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 

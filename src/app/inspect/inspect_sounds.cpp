@@ -1,6 +1,7 @@
 // Sounds.
 #include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "app/inspect/inspection.h"
 #include "formats/sounds/wav.h"

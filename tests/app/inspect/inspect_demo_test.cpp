@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "app/inspect/inspection.h"
 #include "formats/game/dem.h"
 #include "net/protocol/message_writer.h"
