@@ -1,0 +1,47 @@
+#include "fuzz/targets.h"
+
+namespace temblor::fuzz {
+namespace {
+
+constexpr Target kTargets[] = {
+    {"bsp", fuzz_bsp},
+    {"build", fuzz_build},
+    {"channel", fuzz_channel},
+    {"client_message", fuzz_client_message},
+    {"colormap", fuzz_colormap},
+    {"console", fuzz_console},
+    {"dem", fuzz_dem},
+    {"demo", fuzz_demo},
+    {"difference", fuzz_difference},
+    {"entities", fuzz_entities},
+    {"frame", fuzz_frame},
+    {"handshake", fuzz_handshake},
+    {"level", fuzz_level},
+    {"light_cache", fuzz_light_cache},
+    {"light_shard", fuzz_light_shard},
+    {"lit", fuzz_lit},
+    {"map", fuzz_map},
+    {"mdl", fuzz_mdl},
+    {"message", fuzz_message},
+    {"pak", fuzz_pak},
+    {"palette", fuzz_palette},
+    {"picture", fuzz_picture},
+    {"pk3", fuzz_pk3},
+    {"png", fuzz_png},
+    {"progs", fuzz_progs},
+    {"recording", fuzz_recording},
+    {"sav", fuzz_sav},
+    {"spr", fuzz_spr},
+    {"tga", fuzz_tga},
+    {"visibility_state", fuzz_visibility_state},
+    {"wad", fuzz_wad},
+    {"wav", fuzz_wav},
+};
+
+}  // namespace
+
+std::span<const Target> all_targets() {
+  return kTargets;
+}
+
+}  // namespace temblor::fuzz
