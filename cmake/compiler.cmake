@@ -1,4 +1,4 @@
-# Flags that every target of ours shares.
+# Flags that all our targets share.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -8,13 +8,13 @@ endif()
 
 add_library(temblor_flags INTERFACE)
 target_include_directories(temblor_flags INTERFACE "${CMAKE_SOURCE_DIR}/src")
-# A frame must be the same on every machine: no fused multiply-add behind our back.
+# Every machine must draw the same frame, so the compiler may not fuse multiplications and additions.
 target_compile_options(temblor_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion)
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   target_compile_options(temblor_flags INTERFACE -Wno-sign-conversion)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  # g++ 12 sees overlapping copies in plain assignments to std::string where there are none (gcc bug 105329).
+  # g++ 12 warns of overlapping copies in correct assignments to std::string (gcc bug 105329).
   target_compile_options(temblor_flags INTERFACE -Wno-restrict)
 endif()
 if(TEMBLOR_WARNINGS_ARE_ERRORS)
@@ -24,13 +24,25 @@ if(TEMBLOR_SANITIZE)
   target_compile_options(temblor_flags INTERFACE -fsanitize=${TEMBLOR_SANITIZE} -fno-omit-frame-pointer
                                                  -fno-sanitize-recover=all)
   target_link_options(temblor_flags INTERFACE -fsanitize=${TEMBLOR_SANITIZE})
+  if(TEMBLOR_SANITIZE MATCHES "undefined")
+    # These checks of every pointer take half of the compile time, and the address sanitizer sees most of what they see.
+    target_compile_options(temblor_flags INTERFACE -fno-sanitize=null,alignment,object-size,vptr)
+  endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # With sanitizers g++ 12 sees uninitialized values inside <regex> and <variant> that are none.
+    # With sanitizers g++ 12 warns of uninitialized values inside <regex> and <variant>, wrongly.
     target_compile_options(temblor_flags INTERFACE -Wno-maybe-uninitialized)
-    if(TEMBLOR_SANITIZE MATCHES "undefined")
-      # With g++ these checks of every pointer are half of the time to compile, and the address sanitizer sees most of
-      # what they see; the fuzz preset, with clang, has them all.
-      target_compile_options(temblor_flags INTERFACE -fno-sanitize=null,alignment,object-size,vptr)
-    endif()
   endif()
 endif()
+
+# temblor_kernel_flags(TARGET), after its sources are known: flags of the kernel sources, *_simd.cpp, in sanitizer builds. clang 16
+# takes minutes to optimize Highway's code with sanitizers. Unoptimized, and with the address sanitizer alone, each source
+# takes seconds.
+function(temblor_kernel_flags target)
+  if(NOT TEMBLOR_SANITIZE MATCHES "address" OR NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "_simd\\.cpp$")
+  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "-O0;-fno-sanitize=undefined,fuzzer-no-link"
+                              SKIP_PRECOMPILE_HEADERS ON)
+endfunction()

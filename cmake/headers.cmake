@@ -1,12 +1,9 @@
-# Precompiled headers: what almost every file reads of the language and of libraries, parsed once a build. Every file
-# names what it uses all the same: builds with clang (fuzz, lint) go without. Only g++ reads the headers of one target
-# into others, which have further definitions.
+# Precompiled headers: the parts of the standard library, fmt and glm that almost every file includes, parsed once for each
+# build tree. Every file still includes what it uses (`make lint` compiles without precompiled headers). Targets reuse the
+# header of another target although they have more definitions than it; g++ and clang both accept that.
 
-# temblor_headers(NAME FLAGS [HEADER ...]): the common headers and HEADERs, compiled as the library FLAGS says.
+# temblor_headers(NAME FLAGS [HEADER ...]): compiles the common headers and HEADERs with the flags of the library FLAGS.
 function(temblor_headers name flags)
-  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    return()
-  endif()
   file(WRITE "${CMAKE_BINARY_DIR}/${name}.cpp" "")
   add_library(${name} OBJECT "${CMAKE_BINARY_DIR}/${name}.cpp")
   target_link_libraries(${name} PRIVATE ${flags} fmt::fmt glm::glm)
@@ -23,7 +20,10 @@ function(temblor_use_headers target name)
   endif()
 endfunction()
 
+# Both options let ccache work with precompiled headers.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  target_compile_options(temblor_flags INTERFACE -fpch-preprocess)  # lets ccache know it
+  target_compile_options(temblor_flags INTERFACE -fpch-preprocess)
+else()
+  target_compile_options(temblor_flags INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
 endif()
 temblor_headers(temblor_common_headers temblor_flags)

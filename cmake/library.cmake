@@ -1,15 +1,19 @@
-# temblor_library(NAME [FOLDER F] [ROOT_ONLY] [DEPENDS ...] [PRIVATE_DEPENDS ...]): src/NAME, or src/F, as a static
-# library temblor::NAME; ROOT_ONLY leaves its sub-folders out, which are libraries of their own then.
+# temblor_library(NAME [FOLDER F] [ROOT_ONLY] [SOURCES FILE...] [EXCEPT FILE...] [DEPENDS ...] [PRIVATE_DEPENDS ...]):
+# compiles src/NAME, or src/F, into the static library temblor::NAME. ROOT_ONLY leaves out the sub-folders, which are
+# libraries themselves. SOURCES replaces the files found in the folder; EXCEPT leaves some of them out.
 function(temblor_library name)
-  cmake_parse_arguments(ARG "ROOT_ONLY" "FOLDER" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "ROOT_ONLY" "FOLDER" "SOURCES;EXCEPT;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   if(NOT ARG_FOLDER)
     set(ARG_FOLDER ${name})
   endif()
-  if(ARG_ROOT_ONLY)
+  if(ARG_SOURCES)
+    set(sources ${ARG_SOURCES})
+  elseif(ARG_ROOT_ONLY)
     file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/${ARG_FOLDER}/*.cpp")
   else()
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/${ARG_FOLDER}/*.cpp")
   endif()
+  list(REMOVE_ITEM sources ${ARG_EXCEPT})
   if(NOT sources)
     add_library(temblor_${name} INTERFACE)
     add_library(temblor::${name} ALIAS temblor_${name})
@@ -22,23 +26,34 @@ function(temblor_library name)
   temblor_use_headers(temblor_${name} temblor_common_headers)
 endfunction()
 
-# What all tests are compiled with: GoogleTest's headers, parsed once a build.
+# Makes the flags of all tests and a precompiled header with GoogleTest in it.
 function(temblor_test_flags)
   add_library(temblor_test_flags INTERFACE)
   target_link_libraries(temblor_test_flags INTERFACE temblor::base GTest::gmock)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # Mostly templates of GoogleTest, run once: with -O3 they take nearly twice the time to compile.
+    # Tests are mostly templates of GoogleTest that run once. With -O3 they take nearly twice the time to compile.
     target_compile_options(temblor_test_flags INTERFACE -Og)
+  endif()
+  # mold links a test program in a tenth of the time that GNU ld takes. The program itself is linked with the system's linker.
+  find_program(TEMBLOR_MOLD mold)
+  if(TEMBLOR_MOLD)
+    target_link_options(temblor_test_flags INTERFACE -fuse-ld=mold)
   endif()
   temblor_headers(temblor_test_headers temblor_test_flags <gmock/gmock.h> <gtest/gtest.h>)
 endfunction()
 
-# temblor_test(NAME [AS_ONE] [DEPENDS ...] [SOURCES ...] [DEFINITIONS ...] [NEEDS ...]): tests/NAME/*.cpp and SOURCES as one
-# GoogleTest program, with its tests known to ctest. Of files NAME_test.cpp, those in which TEMBLOR_TESTS_LIKE is found;
-# nothing where there are none. NEEDS: targets to be built before, those that there are. AS_ONE: one test for ctest, where
-# what all of them look at takes long to make.
+# temblor_test(NAME [SHARDS N] [CHECK_ONLY] [SLOW PATTERN] [PEERS PATTERN] [DEPENDS ...] [SOURCES ...] [DEFINITIONS ...]
+#              [NEEDS ...]): compiles tests/NAME/**.cpp and SOURCES into the GoogleTest program NAME_test. Sources called
+# X_test.cpp are left out if none of their lines match TEMBLOR_TESTS_LIKE. NEEDS lists targets to build before the program
+# runs. ctest runs the program as N processes that share its tests, so that a fixture is made a few times and not once for
+# each test. ctest's labels divide the tests:
+#   (none)  `make test` runs them
+#   check   only `make check` runs them: all tests of a CHECK_ONLY program, which the target `all` does not build either,
+#           and those that match SLOW (a GoogleTest filter, `Suite.*:Suite.Test`)
+#   peers   only `make check` runs them, with other people's programs: those that match PEERS
+# Each process writes the results of its single tests to build/PRESET/reports/; tools/count_tests.sh adds them up.
 function(temblor_test name)
-  cmake_parse_arguments(ARG "AS_ONE" "" "DEPENDS;SOURCES;DEFINITIONS;NEEDS" ${ARGN})
+  cmake_parse_arguments(ARG "CHECK_ONLY" "SHARDS;SLOW;PEERS" "DEPENDS;SOURCES;DEFINITIONS;NEEDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/tests/${name}/*.cpp")
   foreach(source IN LISTS sources)
     file(STRINGS "${source}" found REGEX "${TEMBLOR_TESTS_LIKE}" LIMIT_COUNT 1)
@@ -59,10 +74,46 @@ function(temblor_test name)
   target_include_directories(${name}_test PRIVATE "${CMAKE_SOURCE_DIR}/tests")
   target_link_libraries(${name}_test PRIVATE ${ARG_DEPENDS} temblor_test_flags GTest::gtest_main)
   temblor_use_headers(${name}_test temblor_test_headers)
-  if(ARG_AS_ONE)
-    add_test(NAME ${name} COMMAND ${name}_test)
-    set_tests_properties(${name} PROPERTIES TIMEOUT 1200)
-  else()
-    gtest_discover_tests(${name}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 1200)
+
+  if(TEMBLOR_TEST_FILTER)
+    temblor_test_shards(${name} ${name} "${TEMBLOR_TEST_FILTER}" "${ARG_SHARDS}" "")
+    return()
   endif()
+  set(label "")
+  if(ARG_CHECK_ONLY)
+    set_target_properties(${name}_test PROPERTIES EXCLUDE_FROM_ALL ON)
+    set_property(GLOBAL APPEND PROPERTY TEMBLOR_CHECK_TESTS ${name}_test)
+    set(label check)
+  endif()
+  set(left_out ${ARG_SLOW} ${ARG_PEERS})
+  list(JOIN left_out ":" left_out)
+  temblor_test_shards(${name} ${name} "*-${left_out}" "${ARG_SHARDS}" "${label}")
+  if(ARG_SLOW)
+    temblor_test_shards(${name}.slow ${name} "${ARG_SLOW}" "${ARG_SHARDS}" check)
+  endif()
+  if(ARG_PEERS)
+    temblor_test_shards(${name}.peers ${name} "${ARG_PEERS}" 1 peers)
+  endif()
+endfunction()
+
+# Adds the tests of a program that match FILTER to ctest, as COUNT processes.
+function(temblor_test_shards test name filter count label)
+  if(NOT count)
+    set(count 1)
+  endif()
+  math(EXPR last "${count} - 1")
+  foreach(shard RANGE ${last})
+    set(title ${test})
+    if(count GREATER 1)
+      math(EXPR number "${shard} + 1")
+      set(title ${test}.${number}of${count})
+    endif()
+    set(command ${name}_test "--gtest_output=xml:${CMAKE_BINARY_DIR}/reports/${title}.xml")
+    if(NOT filter STREQUAL "*-")
+      list(APPEND command "--gtest_filter=${filter}")
+    endif()
+    add_test(NAME ${title} COMMAND ${command})
+    set_tests_properties(${title} PROPERTIES TIMEOUT 1200 LABELS "${label}"
+                         ENVIRONMENT "GTEST_TOTAL_SHARDS=${count};GTEST_SHARD_INDEX=${shard}")
+  endforeach()
 endfunction()

@@ -1,5 +1,5 @@
-# The shipped levels: game/maps/NAME.level -> work/maps/NAME.map -> id1/maps/NAME.bsp (and .lit where light has colors),
-# one after another, as each compilation uses all cores.
+# The shipped levels: game/maps/NAME.level -> work/maps/NAME.map -> id1/maps/NAME.bsp, and .lit if the light has
+# colors. They compile one after another, as each compilation uses all cores.
 set(maps_work "${CMAKE_CURRENT_BINARY_DIR}/work")
 set(maps_folder "${CMAKE_CURRENT_BINARY_DIR}/id1/maps")
 set_property(GLOBAL APPEND PROPERTY JOB_POOLS temblor_maps=1)
@@ -18,8 +18,8 @@ add_custom_command(
   COMMENT "Textures"
   VERBATIM)
 
-# What the compiler has to say fails the build, but of boxes of supplies, b_*, that nobody can enter them. --clean: a
-# .build of another version, or of a run that was killed, would be something to say.
+# Any message of the level compiler fails the build, except that boxes of supplies, b_*, have no room for a player. --clean
+# ignores the .build file of another version or of a run that was killed, which would cause a message.
 set(compile "\"$0\" compile --clean \"$1\" --wad \"$2\" -o \"$3\" > \"$3.txt\" 2> \"$3.err\" && ! grep -v \"$4\" \"$3.err\" || { cat \"$3.err\"; exit 1; }")
 set(note_of_boxes "no entity has a place\\|no info_player_start")
 set(install_level "cp \"$0\" \"$1\" && if test -e \"$2\"; then cp \"$2\" \"$1\"; fi")
@@ -35,7 +35,7 @@ foreach(script IN LISTS level_scripts)
     OUTPUT "${map}"
     COMMAND temblor art "${script}" -o "${maps_work}"
     DEPENDS "${script}" "$<TARGET_FILE:temblor_artgen>"
-    COMMENT "Plan ${name}"
+    COMMENT "Map ${name}"
     VERBATIM)
   add_custom_command(
     OUTPUT "${maps_folder}/${name}.bsp"
@@ -43,10 +43,10 @@ foreach(script IN LISTS level_scripts)
     COMMAND "${CMAKE_COMMAND}" -E make_directory "${maps_folder}"
     COMMAND sh -c "${install_level}" "${level}" "${maps_folder}" "${maps_work}/maps/${name}.lit"
     DEPENDS "${map}" "${textures_wad}" "$<TARGET_FILE:temblor_compiler>"
-    WORKING_DIRECTORY "${maps_work}"  # away from id1, whose palette may not be there yet
+    WORKING_DIRECTORY "${maps_work}"  # not id1, whose palette may not exist yet
     JOB_POOL temblor_maps
     COMMENT "Level ${name}"
     VERBATIM)
   list(APPEND levels "${maps_folder}/${name}.bsp")
 endforeach()
-add_custom_target(game_maps ALL DEPENDS ${levels})
+add_custom_target(game_maps DEPENDS ${levels})

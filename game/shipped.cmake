@@ -1,5 +1,5 @@
-# The game that ships, as a base folder: build/PRESET/game with id1 in it. Art and sound come from scripts, levels from
-# plans. They are made again when their text or the library that makes them has changed, not whenever the program has.
+# The shipped game, build/PRESET/game/id1. Art, sounds and levels are made from text files. They are made again when their
+# text or the library that makes them has changed, not after every change of the program.
 set(shipped "${CMAKE_CURRENT_BINARY_DIR}/id1")
 
 file(GLOB_RECURSE scripts CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/art/*.art")
@@ -11,23 +11,23 @@ add_custom_command(
   DEPENDS ${scripts} "$<TARGET_FILE:temblor_artgen>"
   COMMENT "Art and sound of the shipped game"
   VERBATIM)
-add_custom_target(game_art ALL DEPENDS "${art_made}")
+add_custom_target(game_art DEPENDS "${art_made}")
 
 if(NOT TEMBLOR_FTEQCC)
   add_custom_target(game_demos)
   return()
 endif()
 
-# A recording needs all levels: items whose models are levels of their own lie in each, and an exit leads on to another.
+# A demo needs all levels: each contains items whose models are levels too, and an exit leads to another level.
 file(GLOB level_scripts CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/maps/*.level")
 foreach(script IN LISTS level_scripts)
   get_filename_component(name "${script}" NAME_WE)
   list(APPEND all_levels "${shipped}/maps/${name}.bsp")
 endforeach()
 
-# temblor_recording(LEVEL FILE [OPTION...]): the level as game/player plays it with these options. Who does not get to the
-# exit in time has recorded something all the same.
-function(temblor_recording level file)
+# temblor_demo(LEVEL FILE [OPTION...]): the scripted player plays the level with these options and records the demo
+# FILE, which is kept even if the player does not reach the exit in time.
+function(temblor_demo level file)
   set(play "rm -f \"$2\"; \"$0\" --basedir \"$1\" --map \"$3\" --record \"$2\" \"\${@:4}\" > \"$2.txt\"; test -s \"$2\"")
   get_filename_component(folder "${file}" DIRECTORY)
   add_custom_command(
@@ -35,12 +35,12 @@ function(temblor_recording level file)
     COMMAND "${CMAKE_COMMAND}" -E make_directory "${folder}"
     COMMAND bash -c "${play}" "$<TARGET_FILE:scripted_player>" "${CMAKE_CURRENT_BINARY_DIR}" "${file}" ${level} ${ARGN}
     DEPENDS ${all_levels} "${shipped}/progs.dat" "${art_made}" scripted_player
-    COMMENT "Recording of ${level}"
+    COMMENT "Demo of ${level}"
     VERBATIM)
 endfunction()
 
-# What goes on behind the first menu: a minute of each level, and the gallery from bay to bay. And what `make bench`
-# draws: by all stops and secrets, some of them under water, to the exit.
+# The demos behind the main menu show a minute of each level and a walk through the gallery. `make bench` draws the tours,
+# which pass all stops and secrets, some of them under water, on their way to the exit.
 set(shown_levels t1 tdm1 t2 gallery t3 tdm2 start)
 set(shown_start --tour --exit t2)
 set(shown_gallery --tour --limit 105)
@@ -56,14 +56,14 @@ foreach(level IN LISTS shown_levels)
   if(NOT shown_${level})
     set(shown_${level} --limit 60)
   endif()
-  temblor_recording(${level} "${shipped}/${level}.dem" ${shown_${level}})
-  list(APPEND recordings "${shipped}/${level}.dem")
+  temblor_demo(${level} "${shipped}/${level}.dem" ${shown_${level}})
+  list(APPEND demos "${shipped}/${level}.dem")
 endforeach()
 foreach(level IN ITEMS start t1 t2 t3)
-  temblor_recording(${level} "${tours}/${level}.dem" ${tour_${level}})
-  list(APPEND tour_recordings "${tours}/${level}.dem")
+  temblor_demo(${level} "${tours}/${level}.dem" ${tour_${level}})
+  list(APPEND tour_demos "${tours}/${level}.dem")
 endforeach()
 list(JOIN shown_levels " " names)
 file(CONFIGURE OUTPUT "${shipped}/quake.rc" CONTENT "startdemos ${names}\n")
-add_custom_target(game_demos ALL DEPENDS ${recordings})
-add_custom_target(game_tours DEPENDS ${tour_recordings})
+add_custom_target(game_demos DEPENDS ${demos})
+add_custom_target(game_tours DEPENDS ${tour_demos})
