@@ -1,23 +1,26 @@
-# The README's two commands, `make play` and `make test`, do all set-up themselves; the rest is for working on it.
-.PHONY: play test bench package install format lint fuzz clean shipped
+# The README's two commands, `make play` and `make test`, set everything up themselves. The other targets are for developers.
+.PHONY: play test check bench package install format lint fuzz clean shipped
 
-SOURCES = find src tests bench fuzz game -name '*.cpp' -o -name '*.h'
+SOURCES = find src tests bench fuzz -name '*.cpp' -o -name '*.h'
 MAPS = start lq_e0m1 lq_e1m2
-# Without game data the program draws the level that it makes in code.
+# Without game data the program draws a level that it makes itself.
 WITH_DATA = $(if $(TEMBLOR_DATA),--basedir "$(TEMBLOR_DATA)")
 DEMOS = demo1_lite demo2_lite demo3_lite
 BENCHED = $(if $(TEMBLOR_DATA),$(addprefix --map ,$(MAPS)) $(addprefix --demo ,$(DEMOS)))
 
 play:
 	tools/play.sh
+# Format, spelling, the release build and its tests: run it before every commit.
 test:
-	tools/run_tests.sh
+	tools/run_tests.sh test
+# Everything: the shipped game, sanitizers, fuzzing, other people's programs, packages.
+check:
+	tools/run_tests.sh check
 
 bench:
 	tools/setup.sh build
 	cmake --preset release
-	cmake --build --preset release --target temblor kernel_bench compile_bench vm_bench server_bench client_server_bench host_bench game
-	cmake --build --preset release --target shipped_game game_tours
+	cmake --build --preset release --target temblor benchmarks game shipped_game game_tours
 	build/release/temblor $(WITH_DATA) bench --report $(BENCHED)
 	tools/measure_game.sh
 	$(if $(TEMBLOR_DATA),build/release/bench/compile_bench build/release/temblor)
@@ -27,11 +30,13 @@ bench:
 	$(if $(TEMBLOR_DATA),build/release/bench/client_server_bench build/release/game/id1/progs.dat)
 	$(if $(TEMBLOR_DATA),build/release/bench/host_bench build/release/game/id1/progs.dat)
 
-# In build/release: a Debian package, an archive that may be unpacked anywhere, and temblor-light-*.tar.xz, to be unpacked
-# over that by who compiles maps with it.
+# Writes to build/release a Debian package, an archive that can be unpacked anywhere, and temblor-light-*.tar.xz, which mappers
+# unpack over the other archive to compile light. Both archives contain the same top folder, so cpack gives them the same
+# name, and the light archive is renamed.
 package: shipped
 	cd build/release && cpack -G DEB && cpack -G TXZ && cpack -G TXZ -D PART=light -B light
-# PREFIX=/usr/local unless told.
+	cd build/release/light && for archive in temblor-*.tar.xz; do mv "$$archive" "../temblor-light-$${archive#temblor-}"; done
+# The default is PREFIX=/usr/local.
 install: shipped
 	cmake --install build/release --component game --prefix "$(or $(PREFIX),/usr/local)"
 shipped:
@@ -44,12 +49,12 @@ format:
 lint:
 	tools/lint.sh
 
-# A minute a target; what is found lies in build/fuzz/found/.
+# Fuzzes each target for a minute. New inputs, and those that crash, are written to build/sanitize/found/.
 fuzz:
-	tools/setup.sh develop
-	cmake --preset fuzz -DTEMBLOR_FUZZ_SECONDS=60
-	cmake --build --preset fuzz --target fuzzers
-	ctest --preset fuzz --parallel $$(nproc)
+	tools/setup.sh check
+	cmake --preset sanitize -DTEMBLOR_FUZZ_SECONDS=60
+	cmake --build --preset sanitize --target fuzz_driver
+	ctest --preset sanitize --parallel $$(nproc) -L fuzz
 
 clean:
 	rm -rf build out

@@ -1,31 +1,31 @@
-# `make install` and `make package`: the program, the game that ships with it, documents, a menu entry. The Debian
-# package asks for the libraries; the archive brings them and may be unpacked anywhere. What only the map compiler needs,
-# Embree, is an archive of its own, to be unpacked over the other.
+# `make install` and `make package`: the program, the shipped game, its documents and a menu entry. The Debian package
+# depends on the libraries; the archive contains them and can be unpacked anywhere. Embree, which only the level compiler
+# needs, is a second archive, to be unpacked over the first.
 include(GNUInstallDirs)
 
 set(game_folder "${CMAKE_INSTALL_DATADIR}/games/temblor")
 set(library_folder "${CMAKE_INSTALL_LIBDIR}/temblor")
 
-# DT_RPATH, as the libraries that come along find one another by it, too.
+# DT_RPATH and not DT_RUNPATH, so that the libraries in the archive also find one another.
 set_target_properties(temblor PROPERTIES INSTALL_RPATH "$ORIGIN/../${library_folder}")
 target_link_options(temblor PRIVATE -Wl,--disable-new-dtags)
 install(TARGETS temblor RUNTIME_DEPENDENCY_SET libraries COMPONENT game)
 
-# What is made, and nothing that playing has left there.
+# Only files that the build makes, not saved games and settings of somebody who played there.
 install(DIRECTORY "${CMAKE_BINARY_DIR}/game/id1" DESTINATION "${game_folder}" COMPONENT game
         FILES_MATCHING REGEX "/id1/(gfx|maps|music|progs|sound)/." REGEX "/id1/(progs\\.(dat|lno)|[^/]*\\.wad|(start|t[0-9]|tdm[0-9]|gallery)\\.dem|quake\\.rc)$")
 install(FILES "${CMAKE_BINARY_DIR}/game/id1/icon/temblor.png" COMPONENT game
         DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/256x256/apps")
 install(FILES packaging/temblor.desktop COMPONENT game DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
 install(FILES LICENSE README.md COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-# Where Debian looks for it.
+# Debian's place for it.
 install(FILES LICENSE COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright)
 install(DIRECTORY docs COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.jpg")
 
-# All but the C library's, which go with the system's loader.
+# All libraries except the C library's, which must match the system's loader.
 install(RUNTIME_DEPENDENCY_SET libraries COMPONENT libraries DESTINATION "${library_folder}"
         PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread|resolv)\\.so" POST_EXCLUDE_REGEXES "/ld-linux[^/]*$")
-# Some have a path of their own to look in, which would come before the program's.
+# Removes the search paths of libraries, which would come before the program's.
 install(CODE "file(GLOB brought \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${library_folder}/*.so*\")
 foreach(library IN LISTS brought)
   if(NOT IS_SYMLINK \"\${library}\")
@@ -52,7 +52,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_THREADS 0)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# The program opens it by itself.
+# The program loads Embree at run time, so dpkg-shlibdeps does not find it.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libembree${embree_VERSION_MAJOR}-${embree_VERSION_MAJOR}")
 set(CPACK_DEBIAN_PACKAGE_SECTION games)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

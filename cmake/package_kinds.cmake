@@ -1,5 +1,5 @@
-# Read once for each kind of package: only the archive has libraries in it, and its second part (cpack -D PART=light) one
-# alone.
+# cpack reads this once for each kind of package: only the archive contains libraries, and its second part (cpack -D
+# PART=light) contains nothing else.
 if(CPACK_GENERATOR STREQUAL "TXZ")
   if(PART STREQUAL "light")
     set(CPACK_INSTALL_CMAKE_PROJECTS "${CPACK_BUILD_FOLDER};temblor;light;/")
