@@ -1,36 +1,32 @@
 #!/usr/bin/env bash
-# `make test`: everything that must hold before a change goes in. Each step counts towards the last line, which is
-# "N passed, N failed, N skipped"; exit status 1 if anything failed. Logs and test reports: build/PRESET/.
-# Game data, for the tests that want some, is found through TEMBLOR_DATA. TEMBLOR_TEST_SECONDS, where it is set, is the time
-# for all of it: what would take longer, on a slow machine, is skipped and said.
+# Usage: tools/run_tests.sh test|check
+#   test   format, spelling, the release build and its tests, without game data and without other people's programs
+#   check  the same with the game data that TEMBLOR_DATA names, then everything else: the shipped game and its tests, other
+#          people's programs, the address, undefined-behavior and thread sanitizers, fuzzing, and the packages
+# The last line is "N passed, N failed, N skipped" and counts single tests; a reason is printed for every skipped one. The
+# exit status is 1 if a test failed. Logs and reports are in build/PRESET/.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 
+kind=${1:-test}
+if [ "$kind" = test ]; then unset TEMBLOR_DATA; fi
 CTEST_PARALLEL_LEVEL=$(($(nproc) + 1))  # some tests wait for other programs
 export CTEST_PARALLEL_LEVEL
 if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
-  export CCACHE_SLOPPINESS=pch_defines,time_macros  # without it what has a precompiled header is not cached
+  export CCACHE_SLOPPINESS=pch_defines,time_macros  # needed to cache sources with a precompiled header
 fi
 passed=0 failed=0 skipped=0
-configure_options=()  # for the next build
-launcher=()           # what the next build and suite run under
+launcher=()  # runs the next builds and suites
 
 step() {
   printf '== %s (%d s)\n' "$*" "$SECONDS"
 }
 skip() {
-  echo "skipped: $*"
+  echo "  skipped: $*"
   skipped=$((skipped + 1))
 }
-# there_is_time WHAT PERCENT: for what takes that part of the time that the release build and its tests took.
-there_is_time() {
-  local needed=$((release_s * $2 / 100)) left=$((${TEMBLOR_TEST_SECONDS:-1000000} - SECONDS))
-  [ "$needed" -le "$left" ] && return
-  skip "$1: takes about $needed s here, and of TEMBLOR_TEST_SECONDS $left are left"
-  return 1
-}
-# check WHAT COMMAND...: one test that is not ctest's.
+# check WHAT COMMAND...: runs the command as one test.
 check() {
   local what=$1
   shift
@@ -43,86 +39,136 @@ check() {
   fi
 }
 
-# build PRESET [TARGET...]: quiet unless it fails; then everything that does not compile is said at once.
+# configure PRESET [OPTION...]
+configure() {
+  local preset=$1
+  shift
+  mkdir -p build
+  cmake --preset "$preset" "$@" >"build/$preset.log" 2>&1 || { tail -30 "build/$preset.log"; return 1; }
+}
+# build PRESET [TARGET...]: prints nothing unless it fails, and then all compile errors.
 build() {
   local preset=$1 log=build/$1.log
   shift
-  mkdir -p build
-  { cmake --preset "$preset" "${configure_options[@]}" && "${launcher[@]}" cmake --build --preset "$preset" ${1:+--target "$@"} -- -k 0; } \
-    >"$log" 2>&1 || { grep -E -A 12 'error|FAILED|Error' "$log" | head -60; return 1; }
+  "${launcher[@]}" cmake --build --preset "$preset" ${1:+--target "$@"} -- -k 0 >"$log" 2>&1 ||
+    { grep -E -A 12 'error|FAILED|Error' "$log" | head -60; return 1; }
 }
 
-# The first NAME="N" of a JUnit report: an attribute of the whole suite.
-suite_count() {
-  grep -o "$2=\"[0-9]*\"" "$1" | head -1 | grep -o '[0-9]*'
+# show_failures LOG: the output of failed tests in a ctest log, and of a test during which its process ended.
+show_failures() {
+  awk '/^\[ RUN      \]/ { text = ""; running = 1 }
+       /^\[       OK \]|^\[  SKIPPED \]/ { text = ""; running = 0; next }
+       running { text = text $0 "\n" }
+       /^\[  FAILED  \]/ && running { printf "%s", text; text = ""; running = 0 }
+       !running && /Failed|Timeout|Exception|ERROR: |runtime error|CHECK/ { print }
+       END { if (running) printf "%s", text }' "$1" | head -200
 }
 
-# suite PRESET [CTEST OPTION...]: runs what was built and counts its tests.
+# suite PRESET [CTEST OPTION...]: runs tests that were built, and counts them.
 suite() {
-  local preset=$1 report=build/$1/report.xml log=build/$1/ctest.log bad off all
+  local preset=$1 report=build/$1/report.xml log=build/$1/ctest.log counts bad
   shift
-  rm -f "$report"
+  rm -rf "$report" "build/$preset/reports"
   "${launcher[@]}" ctest --preset "$preset" --no-tests=error --quiet --output-log "$log" --output-junit "$PWD/$report" "$@"
-  local status=$?
   if [ ! -s "$report" ]; then
-    echo "FAILED: ctest --preset $preset gave no report"
+    echo "FAILED: ctest --preset $preset wrote no report"
     failed=$((failed + 1))
     return
   fi
-  all=$(suite_count "$report" tests) bad=$(suite_count "$report" failures)
-  off=$(($(suite_count "$report" skipped) + $(suite_count "$report" disabled)))
-  passed=$((passed + all - bad - off)) skipped=$((skipped + off))
-  # Tests that could not be started count as skipped in the report, but not here.
-  if [ "$status" -ne 0 ] && [ "$bad" -eq 0 ]; then bad=1; fi
-  failed=$((failed + bad))
-  echo "$preset: $all tests, $bad failed, $off skipped"
-  # GoogleTest's reasons, each with how many tests gave it.
-  grep -A 1 -h ': Skipped$' "$report" | grep -v -e ': Skipped$' -e '^--' | sort | uniq -c | sed 's/^/  skipped: /'
-  if [ "$bad" -ne 0 ]; then grep -v -E ' Passed |Skipped|^ *Start ' "$log" | head -200; fi
+  counts=$(tools/count_tests.sh "$report" "build/$preset/reports")
+  sed '$d' <<<"$counts"
+  read -r good bad off <<<"$(tail -1 <<<"$counts")"
+  passed=$((passed + good)) failed=$((failed + bad)) skipped=$((skipped + off))
+  echo "  $good passed, $bad failed, $off skipped"
+  if [ "$bad" -ne 0 ]; then show_failures "$log"; fi
 }
 
-formatted() {
-  find src tests bench fuzz game \( -name '*.cpp' -o -name '*.h' \) -print0 | xargs -0 clang-format-14 --dry-run -Werror
+is_formatted() {
+  find src tests bench fuzz \( -name '*.cpp' -o -name '*.h' \) -print0 |
+    xargs -0 -P "$(nproc)" -n 100 clang-format-14 --dry-run -Werror
 }
 
-tools/setup.sh develop || exit 1
+check_texts() {
+  step "format and spelling"
+  if command -v clang-format-14 >/dev/null; then
+    check "format (make format fixes it)" is_formatted
+  else
+    skip "format: clang-format-14 is not installed"
+  fi
+  if command -v codespell >/dev/null; then
+    check "spelling (.codespell-words lists exceptions)" codespell src tests docs game fuzz bench tools cmake README.md CONTRIBUTING.md
+  else
+    skip "spelling: codespell is not installed"
+  fi
+}
 
-step "format"
-if command -v clang-format-14 >/dev/null; then
-  check "format (make format mends it)" formatted
-else
-  skip "format check: clang-format-14 is not installed"
+check_release() {
+  step "release: build"
+  if ! check "release build" eval 'configure release && build release'; then return; fi
+  step "release: test"
+  suite release -LE 'check|peers'
+}
+
+check_game() {
+  step "the shipped game: build it, its tests, the slow tests and the benchmarks"
+  if ! check "shipped game" build release shipped_game check_tests benchmarks; then return; fi
+  step "the shipped game, slow tests, other people's programs"
+  suite release -L 'check|peers'
+}
+
+check_sanitizers() {
+  step "sanitize: build with the address and undefined-behavior sanitizers and libFuzzer"
+  if ! command -v clang++-16 >/dev/null; then
+    skip "address and undefined-behavior sanitizers, fuzzing: clang++-16 is not installed"
+    return
+  fi
+  if ! check "sanitize build" eval 'configure sanitize -DTEMBLOR_FUZZ_SECONDS=5 && build sanitize all scripted_player'; then return; fi
+  step "sanitize: test, replay every fuzz corpus, fuzz each target for 5 s"
+  suite sanitize -LE peers
+  if [ -d build/release/game/id1/maps ]; then
+    check "levels and demos are the same bytes from both compilers" tools/compare_levels.sh build/release build/sanitize
+  fi
+}
+
+check_threads() {
+  step "tsan: build and run the tests of code with several threads"
+  # gcc 12's thread sanitizer fails if addresses are spread wider.
+  if [ "$(cat /proc/sys/vm/mmap_rnd_bits 2>/dev/null || echo 32)" -gt 28 ]; then launcher=(setarch -R); fi
+  if ! "${launcher[@]}" true 2>/dev/null; then
+    skip "tsan: addresses are spread too widely on this machine, and setarch -R is refused"
+  elif check "tsan build" eval 'configure tsan && build tsan base_test audio_test render_test'; then
+    suite tsan -R '^(base|audio|render)(\.|$)'
+  fi
+  launcher=()
+}
+
+check_packages() {
+  step "packages: build, install, start and remove them"
+  if check "packages" make --no-print-directory package >build/package.log 2>&1; then
+    tools/check_packages.sh
+    case $? in
+      0) passed=$((passed + 1)) ;;
+      77) skip "packages were not installed, see above" ;;
+      *) echo "FAILED: packages"; failed=$((failed + 1)) ;;
+    esac
+  else
+    tail -20 build/package.log
+  fi
+}
+
+case $kind in
+  test | check) ;;
+  *) echo "usage: tools/run_tests.sh test|check" >&2; exit 2 ;;
+esac
+tools/setup.sh "$kind" || exit 1
+check_texts
+check_release
+if [ "$kind" = check ]; then
+  check_game
+  check_sanitizers
+  check_threads
+  check_packages
 fi
-
-step "release: build and test"
-check "release build" build release && suite release
-release_s=$SECONDS
-
-step "asan: build and test with the address and undefined-behavior sanitizers"
-if there_is_time asan 140; then check "asan build" build asan && suite asan; fi
-
-step "tsan: build and test what runs on several threads"
-# gcc 12's thread sanitizer bears no wider spread of addresses.
-if [ "$(cat /proc/sys/vm/mmap_rnd_bits 2>/dev/null || echo 32)" -gt 28 ]; then launcher=(setarch -R); fi
-if ! there_is_time tsan 20; then
-  :
-elif "${launcher[@]}" true 2>/dev/null; then
-  check "tsan build" build tsan base_test render_test && suite tsan -R 'Threads|ParallelFor|SamePicture'
-else
-  skip "tsan: addresses are spread too widely here, and may not be spread less (setarch -R is refused)"
-fi
-launcher=()
-
-step "fuzz: replay every corpus, then 5 s a target"
-if ! there_is_time fuzz 30; then
-  :
-elif command -v clang++-16 >/dev/null; then
-  configure_options=(-DTEMBLOR_FUZZ_SECONDS=5)
-  check "fuzz build" build fuzz fuzzers && suite fuzz
-else
-  skip "fuzzing: clang++-16 is not installed (the corpora were replayed in the suites above)"
-fi
-
 step "done"
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]
