@@ -8,7 +8,6 @@ other=$(realpath "$2")
 levels=(b_batt0 b_explob tdm1)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-export ASAN_OPTIONS=detect_leaks=0
 
 scripts=$(cd "$(dirname "$0")/../game" && pwd)
 "$other/temblor" art "$scripts/art/textures" -o "$work" >/dev/null
